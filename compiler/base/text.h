@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Small pieces of text that depend on no locale.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace texgraph {
+
+// The shortest decimal text that reads back as exactly `value`, always with a '.' or an exponent, so that GLSL and JSON take it
+// as a float: "1.0", "0.1", "1e-45", "-0.0". `value` must be finite.
+std::string FloatText(float value);
+// The same for a double.
+std::string DoubleText(double value);
+
+// [A-Za-z_][A-Za-z0-9_]*
+bool IsIdentifier(std::string_view text);
+// A keyword, a reserved word or a built-in name of any GLSL dialect that is emitted, or a name with "__" or "gl_".
+bool IsReservedInGlsl(std::string_view name);
+
+// `text` as a JSON string with its quotes.
+std::string JsonQuoted(std::string_view text);
+
+}  // namespace texgraph

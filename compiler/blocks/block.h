@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// A block: one GLSL file that became typed signatures and, on demand, IR functions. See docs/blocks.md for the language.
+//
+// File `stdlib_blocks/<family>/<block>.glsl` defines the function `<block>`, in one or several overloads (`genType` counts as
+// four), with whatever private functions, constants and structs it needs. A function that a file calls but does not define is
+// another block's, found by its name in the library.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "compiler/base/diagnostics.h"
+#include "compiler/base/source.h"
+#include "compiler/ir/module.h"
+
+namespace texgraph::blocks {
+
+enum class PortKind : uint8_t {
+  kValue,     // any value
+  kTemplate,  // "const": must be known when the shader is made
+  kTexture,   // a sampler
+  kField,     // a prototype without a body: a function port
+};
+
+// A word that stands for a value of an enumeration: for a parameter `const int blend`, the file's constants
+// `const int BLEND_MIX = 0; const int BLEND_ADD = 1;` make the words "mix" and "add".
+struct EnumWord {
+  std::string word;
+  int32_t value;
+};
+
+struct Port {
+  std::string name;
+  PortKind kind = PortKind::kValue;
+  ir::TypeId type;    // kField: a field type
+  SourceRange range;  // of the declaration
+  std::string help;   // from "/// @param name help"
+  std::string unit;   // "@unit degrees"
+  // "@default": a constant of the port's type, or the name of a built-in input ("uv"), or neither: the port must be connected.
+  ir::ConstId default_value;
+  std::string default_input;
+  std::optional<double> minimum, maximum;  // "@range 0 1", each component
+  std::vector<EnumWord> words;
+  std::vector<std::string> field_parameters;  // kField: the names of the prototype's parameters
+};
+
+struct FunctionAst;  // ast.h
+struct BlockFile;    // ast.h
+
+struct Overload {
+  std::vector<Port> inputs;
+  // The return value first (named "result"), then the out parameters.
+  std::vector<Port> outputs;
+  const FunctionAst* ast = nullptr;
+  ir::TypeId gen_type;  // what genType stands for here; invalid if the function is not generic
+};
+
+struct Block {
+  std::string name;
+  std::string family;   // "tiles"
+  std::string path;     // "tiles/brick_grid.glsl"; for a user's block its path under the -I folder
+  std::string summary;  // the first sentence
+  std::string details;  // the rest of the text, lines kept
+  SourceRange range;    // of the first overload's name
+  std::vector<Overload> overloads;
+  const BlockFile* file = nullptr;
+};
+
+// The blocks that one compilation can use: the embedded library and the folders of -I (which come first), each parsed when
+// it is first asked for. Types, constants and functions go into `module`.
+class Library {
+ public:
+  Library(ir::Module& module, Sources& sources, Diagnostics& diagnostics,
+          std::vector<std::string> folders = {});
+  ~Library();
+
+  // Null if there is no such block, or if it is wrong (then it was reported, once).
+  const Block* Find(std::string_view name);
+  // Whether a file of that name exists, without parsing it.
+  bool Exists(std::string_view name) const;
+  std::vector<std::string_view> Names() const;  // sorted
+  // The struct types of types.glsl ("Tile") and the basic types; invalid if there is none.
+  ir::TypeId FindType(std::string_view name);
+  // The IR function of an overload, and before it those that it calls. Invalid if its body is wrong (reported).
+  ir::FunctionId Function(const Block& block, const Overload& overload);
+  // Paths of the files outside the program that were read, for dependency files.
+  const std::vector<std::string>& FilesRead() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+// The embedded library, made from stdlib_blocks/ when the program is built. Sorted by name.
+struct EmbeddedFile {
+  std::string_view name;  // "brick_grid"
+  std::string_view path;  // "tiles/brick_grid.glsl"
+  std::string_view text;
+};
+const std::vector<EmbeddedFile>& EmbeddedFiles();
+
+}  // namespace texgraph::blocks

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// The whole compiler as one call: a graph's text in, a shader and its manifest out. It reads files (the graph's blocks and the
+// headers of its images) and writes none.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compiler/base/diagnostics.h"
+#include "compiler/base/source.h"
+#include "compiler/graph/document.h"
+
+namespace texgraph {
+
+enum class Target : uint8_t { kGlsl330, kGlsl450, kSpirv };
+// kShader: a whole fragment shader. kFunction: a GLSL function to paste into somebody's own.
+enum class Emit : uint8_t { kShader, kFunction };
+
+struct CompileOptions {
+  Target target = Target::kGlsl330;
+  Emit emit = Emit::kShader;
+  bool optimize = true;                  // off: neither folds nor simplifies, for the tests
+  std::vector<std::string> block_folders;  // -I
+  std::vector<std::string> settings;     // "name=value", --set
+  // Print the IR after each of these phases into Compiled::dump: "build", "specialize", "simplify", "differentiate",
+  // "legalize", or "all".
+  std::vector<std::string> dump_after;
+};
+
+struct Compiled {
+  std::string glsl;              // also for kSpirv: what was given to glslang
+  std::vector<uint32_t> spirv;   // kSpirv only
+  std::string manifest;          // JSON, see docs/manifest.schema.json
+  std::string dump;
+  std::vector<std::string> dependencies;  // paths of the files that were read, beside the graph itself
+};
+
+// Nothing if the graph is wrong, with every mistake in `diagnostics`. `source` is the graph's text; image paths in it are
+// relative to its folder.
+std::optional<Compiled> Compile(SourceId source, graph::DocumentFormat format, const CompileOptions& options,
+                                Sources& sources, Diagnostics& diagnostics);
+
+}  // namespace texgraph

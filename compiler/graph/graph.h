@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// A graph as its document says it: names, literals and references with their ranges. It knows no blocks. docs/graph-format.md
+// is the user's description, docs/graph.schema.json the formal one.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "compiler/base/diagnostics.h"
+#include "compiler/base/source.h"
+#include "compiler/graph/document.h"
+
+namespace texgraph::graph {
+
+// What stands at a port: a literal or, as a string, the name of a thing.
+struct Argument {
+  enum class Kind : uint8_t { kNumber, kBool, kVector, kString };
+  Kind kind = Kind::kNumber;
+  bool boolean = false;
+  bool is_integer = false;          // all numbers were written without '.' and exponent
+  std::vector<double> numbers;      // kNumber: one; kVector: the components; kVector of arrays is flattened row by row
+  std::string_view text;            // kString
+  SourceRange range;
+};
+
+struct Input {  // "port": argument
+  std::string_view port;
+  SourceRange port_range;
+  Argument argument;
+};
+
+struct Node {
+  std::string_view name;
+  SourceRange range;  // of the name
+  std::string_view block;
+  SourceRange block_range;
+  std::vector<Input> inputs;
+};
+
+struct Output {  // "color": "face"
+  std::string_view name;
+  SourceRange range;
+  Argument argument;
+};
+
+enum class Binding : uint8_t { kConstant, kSpecialization, kUniform };
+
+struct Parameter {
+  std::string_view name;
+  SourceRange range;
+  std::string_view type;  // "int", "vec3", ...
+  SourceRange type_range;
+  Argument value;
+  std::optional<double> minimum, maximum;  // "range"
+  Binding binding = Binding::kConstant;
+  std::string_view label, help, unit;
+};
+
+enum class ColorSpace : uint8_t { kSrgb, kLinear };  // "srgb"; "linear" (also "data")
+enum class TextureFilter : uint8_t { kLinear, kNearest };
+enum class TextureWrap : uint8_t { kRepeat, kClamp, kMirror };
+
+struct Texture {
+  std::string_view name;
+  SourceRange range;
+  std::vector<std::string_view> files;  // one, or the layers of an array texture
+  std::vector<SourceRange> file_ranges;
+  bool is_array = false;                // "layers": [...] instead of "file"
+  ColorSpace color_space = ColorSpace::kSrgb;
+  TextureFilter filter = TextureFilter::kLinear;
+  TextureWrap wrap_u = TextureWrap::kRepeat, wrap_v = TextureWrap::kRepeat;
+  bool mipmaps = true;
+  std::optional<int> max_level;         // "max_level": the coarsest mip level that may be used
+};
+
+struct FunctionInput {  // of a graph function: "scale": { "type": "float", "value": 1 } or "scale": "float"
+  std::string_view name;
+  SourceRange range;
+  std::string_view type;
+  SourceRange type_range;
+  std::optional<Argument> value;
+};
+
+// A graph function ("functions"), or the graph itself (no inputs).
+struct Subgraph {
+  std::string_view name;
+  SourceRange range;
+  std::vector<FunctionInput> inputs;
+  std::vector<Node> nodes;
+  std::vector<Output> outputs;  // a function's may be any name; the graph's are color, normal, roughness, ...
+};
+
+struct Graph {
+  std::string name;  // "name", else the file's name without extensions, made an identifier
+  SourceRange range;
+  std::string_view description;
+  std::vector<Texture> textures;
+  std::vector<Parameter> parameters;
+  std::vector<Subgraph> functions;
+  Subgraph main;
+  Document document;  // owns what the views point into, beside the source text
+};
+
+// The inputs that every graph has, by name: type and meaning. uv: texture coordinate. position, normal: of the surface, in
+// object space. time: seconds. In this order in manifests and shaders.
+struct BuiltinInput {
+  std::string_view name;
+  std::string_view type;
+  std::string_view help;
+};
+inline constexpr BuiltinInput kBuiltinInputs[] = {
+    {"uv", "vec2", "texture coordinate"},
+    {"position", "vec3", "position on the surface, in object space"},
+    {"normal", "vec3", "unit normal of the surface, in object space"},
+    {"time", "float", "seconds since the start"},
+};
+
+// The outputs that a graph may have, and the types that they take.
+struct BuiltinOutput {
+  std::string_view name;
+  std::string_view type;
+};
+inline constexpr BuiltinOutput kBuiltinOutputs[] = {
+    {"color", "vec4"},     {"normal", "vec3"},   {"roughness", "float"}, {"metallic", "float"},
+    {"height", "float"},   {"emission", "vec3"}, {"opacity", "float"},
+};
+
+// Reads a document as a graph. Shape mistakes (unknown, missing and wrong keys, bad names, bad literals) are all reported;
+// nothing is returned if there was any.
+std::optional<Graph> ReadGraph(SourceId source, DocumentFormat format, const Sources& sources,
+                               Diagnostics& diagnostics);
+
+}  // namespace texgraph::graph

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs a module on the CPU, many pixels at a time. Pixels lie in quads of 2 x 2, so that hardware derivatives (dfdx, dfdy and the
+// level of implicit samples) are the differences that a GPU takes. It runs any module: before Specialize (fields and template
+// parameters), before Differentiate (dx, dy as quad differences) and after.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "compiler/ir/module.h"
+#include "compiler/ir/texture.h"
+
+namespace texgraph::ir {
+
+// Lane l of quad q is pixel 4q + l: 0 left bottom, 1 right bottom, 2 left top, 3 right top (y up, as in GL).
+struct EvaluateInputs {
+  uint32_t lanes = 4;                              // a multiple of 4
+  std::vector<std::vector<uint32_t>> globals;      // by GlobalId; word w of lane l at [w * lanes + l]; uniforms may hold one lane
+                                                   // (Types::Words words); empty: the default. Textures: empty
+  std::vector<const Texture*> textures;            // by GlobalId; null where the global is no texture
+};
+
+// The results of `function` (module.main as a rule), one vector each, laid out as above. `arguments` are its parameters', none
+// for main.
+std::vector<std::vector<uint32_t>> Evaluate(const Module& module, FunctionId function,
+                                            const EvaluateInputs& inputs,
+                                            std::span<const std::vector<uint32_t>> arguments = {});
+
+}  // namespace texgraph::ir

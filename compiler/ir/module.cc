@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/ir/module.h"
+
+#include <algorithm>
+
+namespace texgraph::ir {
+namespace {
+
+uint64_t HashWords(TypeId type, std::span<const uint32_t> words) {
+  uint64_t hash = type.index * 0x9e3779b97f4a7c15ull;
+  for (uint32_t word : words) hash = (hash ^ word) * 0x100000001b3ull + (hash >> 29);
+  return hash;
+}
+
+}  // namespace
+
+uint32_t ForLoop::Trips() const {
+  int64_t distance = step > 0 ? int64_t(last) - first : int64_t(first) - last;
+  int64_t stride = step > 0 ? int64_t(step) : -int64_t(step);
+  return distance <= 0 ? 0 : static_cast<uint32_t>((distance + stride - 1) / stride);
+}
+
+ConstId Module::Intern(TypeId type, std::span<const uint32_t> words) {
+  uint64_t hash = HashWords(type, words);
+  auto [begin, end] = constant_index_.equal_range(hash);
+  for (auto it = begin; it != end; ++it) {
+    const Constant& known = constants_[it->second.index];
+    if (known.type == type && std::ranges::equal(Words(it->second), words)) return it->second;
+  }
+  constants_.push_back({type, static_cast<uint32_t>(words_.size())});
+  words_.insert(words_.end(), words.begin(), words.end());
+  ConstId id(constants_.size() - 1);
+  constant_index_.emplace(hash, id);
+  return id;
+}
+
+NameId Module::InternName(std::string_view name) {
+  if (auto known = name_index_.find(name); known != name_index_.end()) return known->second;
+  names_.emplace_back(name);
+  NameId id(names_.size() - 1);
+  name_index_.emplace(names_.back(), id);
+  return id;
+}
+
+OriginId Module::AddOrigin(Origin origin) {
+  origins.push_back(std::move(origin));
+  return OriginId(origins.size() - 1);
+}
+
+GlobalId Module::AddGlobal(Global global) {
+  globals.push_back(std::move(global));
+  return GlobalId(globals.size() - 1);
+}
+
+TypeId Module::CallType(const Function& function) {
+  if (function.results.size() == 1) return function.results[0].type;
+  std::vector<TypeId> elements;
+  for (const Result& result : function.results) elements.push_back(result.type);
+  return types.Tuple(elements);
+}
+
+}  // namespace texgraph::ir

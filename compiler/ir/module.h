@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+// The intermediate form: typed values in single assignment, with regions instead of a control-flow graph.
+//
+// A module owns types, constants, globals and functions. A function owns its instructions; an instruction is at most one value.
+// Every instruction but constants and parameters stands in the body of exactly one region, and its operands come before it in
+// that body or in an enclosing region's. All operations are pure: the order of a body is free but for operands, and what nothing
+// uses is not there. Vectors only grow: a pass reads one function and builds another through Builder (builder.h).
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "compiler/base/ids.h"
+#include "compiler/ir/op.h"
+#include "compiler/ir/type.h"
+
+namespace texgraph::ir {
+
+using ValueId = Id<struct ValueTag>;        // an instruction of one function
+using ConstId = Id<struct ConstTag>;        // of the module
+using GlobalId = Id<struct GlobalTag>;      // of the module
+using FunctionId = Id<struct FunctionTag>;  // of the module
+using RegionId = Id<struct RegionTag>;      // of one function
+using LoopId = Id<struct LoopTag>;          // of one function
+using NameId = Id<struct NameTag>;          // an interned string of the module
+using OriginId = Id<struct OriginTag>;      // of the module
+
+struct Inst {
+  Op op;
+  uint16_t operand_count = 0;
+  TypeId type;
+  uint32_t first_operand = 0;  // into Function::operands
+  uint32_t aux = 0;  // kConst: ConstId. kParam: index. kGlobal: GlobalId. kExtract: index. kSwizzle: mask. kIf: the RegionId of
+                     // `then`, `else` is the next. kFor: LoopId. kCall, kFieldRef: FunctionId
+};
+
+struct Region {
+  std::vector<ValueId> params;   // of a loop's body: the index, then the carried values. Of a function: all parameters
+  std::vector<ValueId> body;     // in order; constants and parameters are in no body
+  std::vector<ValueId> results;  // what the region yields or the function returns
+};
+
+// for (int i = first; i < last; i += step): the trip count is known when the loop is made, so every loop ends.
+struct ForLoop {
+  int32_t first = 0;
+  int32_t last = 0;
+  int32_t step = 1;  // never 0; if negative, counts down while i > last
+  RegionId body;     // its results are the carried values of the next round
+  uint32_t Trips() const;
+};
+
+struct Parameter {
+  std::string name;
+  TypeId type;
+  // Template parameters ("const" in a block). Specialize leaves none.
+  bool is_template = false;
+};
+
+struct Result {
+  std::string name;  // empty: the return value; else an out parameter
+  TypeId type;
+};
+
+struct Function {
+  std::string name;          // unique in the module
+  std::string display_name;  // the name that the printer would like: the block's or the node's
+  OriginId origin;           // the block or node it came from
+  std::vector<Parameter> parameters;
+  std::vector<Result> results;
+  RegionId body;
+
+  std::vector<Inst> insts;
+  std::vector<ValueId> operands;
+  std::vector<Region> regions;
+  std::vector<ForLoop> loops;
+  // Side tables, as long as `insts` or shorter.
+  std::vector<NameId> names;
+  std::vector<OriginId> origins;
+
+  const Inst& operator[](ValueId v) const { return insts[v.index]; }
+  std::span<const ValueId> Operands(const Inst& inst) const {
+    return {operands.data() + inst.first_operand, inst.operand_count};
+  }
+  std::span<const ValueId> Operands(ValueId v) const { return Operands(insts[v.index]); }
+  const Region& Body() const { return regions[body.index]; }
+  NameId NameOf(ValueId v) const { return v.index < names.size() ? names[v.index] : NameId(); }
+  OriginId OriginOf(ValueId v) const { return v.index < origins.size() ? origins[v.index] : OriginId(); }
+};
+
+struct Constant {
+  TypeId type;
+  uint32_t first_word = 0;  // into Module::words; Types::Words(type) of them, floats as their bits, bools as 0 or 1
+};
+
+enum class GlobalKind : uint8_t { kInput, kUniform, kSpecialization, kTexture };
+
+struct Global {
+  GlobalKind kind;
+  std::string name;
+  TypeId type;
+  ConstId value;  // the default of uniforms and specialisation constants
+};
+
+// Where a value came from, for comments and diagnostics.
+struct Origin {
+  std::string node;    // "face"; empty inside a block
+  std::string block;   // "layer"
+  std::string source;  // "layers/layer.glsl"
+};
+
+class Module {
+ public:
+  Types types;
+  std::deque<Function> functions;  // callees before callers
+  std::vector<Global> globals;
+  std::vector<Origin> origins;
+  FunctionId main;
+
+  ConstId Intern(TypeId type, std::span<const uint32_t> words);
+  const Constant& constant(ConstId id) const { return constants_[id.index]; }
+  std::span<const uint32_t> Words(ConstId id) const {
+    const Constant& c = constants_[id.index];
+    return {words_.data() + c.first_word, types.Words(c.type)};
+  }
+
+  NameId InternName(std::string_view name);
+  std::string_view Name(NameId id) const { return names_[id.index]; }
+
+  OriginId AddOrigin(Origin origin);
+  GlobalId AddGlobal(Global global);
+  Function& operator[](FunctionId id) { return functions[id.index]; }
+  const Function& operator[](FunctionId id) const { return functions[id.index]; }
+  // The type of a call: the only result's, or a tuple of all.
+  TypeId CallType(const Function& function);
+
+ private:
+  std::vector<Constant> constants_;
+  std::vector<uint32_t> words_;
+  std::unordered_multimap<uint64_t, ConstId> constant_index_;
+  std::deque<std::string> names_;
+  std::unordered_map<std::string_view, NameId> name_index_;
+};
+
+}  // namespace texgraph::ir

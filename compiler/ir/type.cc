@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/ir/type.h"
+
+#include <utility>
+
+namespace texgraph::ir {
+namespace {
+
+constexpr std::string_view kBasicNames[kBasicTypeCount] = {
+    "void", "bool",  "bvec2", "bvec3", "bvec4", "int",  "ivec2", "ivec3", "ivec4",     "uint",           "uvec2",    "uvec3",
+    "uvec4", "float", "vec2",  "vec3",  "vec4",  "mat2", "mat3",  "mat4",  "sampler2D", "sampler2DArray", "sampler3D"};
+
+}  // namespace
+
+Types::Types() {
+  for (uint32_t i = 0; i < kBasicTypeCount; ++i) {
+    TypeId id(i);
+    Type type;
+    type.kind = i == 0 ? TypeKind::kVoid
+                : IsVector(id) ? TypeKind::kVector
+                : IsMatrix(id) ? TypeKind::kMatrix
+                               : TypeKind::kSampler;
+    type.name = kBasicNames[i];
+    Intern(std::move(type));
+  }
+}
+
+TypeId Types::Intern(Type type) {
+  uint32_t words = 0;
+  TypeId id(types_.size());
+  switch (type.kind) {
+    case TypeKind::kVoid:
+    case TypeKind::kField: break;
+    case TypeKind::kVector: words = Width(id); break;
+    case TypeKind::kMatrix: words = MatrixSize(id) * MatrixSize(id); break;
+    case TypeKind::kSampler: words = 1; break;
+    case TypeKind::kStruct:
+      for (const StructField& field : type.fields) words += Words(field.type);
+      break;
+    case TypeKind::kTuple:
+      for (TypeId element : type.elements) words += Words(element);
+      break;
+    case TypeKind::kArray: words = type.length * Words(type.elements[0]); break;
+  }
+  types_.push_back(std::move(type));
+  words_.push_back(words);
+  by_text_.emplace(Text(id), id);
+  return id;
+}
+
+TypeId Types::Struct(std::string_view name, std::vector<StructField> fields) {
+  if (TypeId known = Find(name)) {
+    const Type& type = types_[known.index];
+    bool same = type.kind == TypeKind::kStruct && type.fields.size() == fields.size();
+    for (size_t i = 0; same && i < fields.size(); ++i) {
+      same = type.fields[i].name == fields[i].name && type.fields[i].type == fields[i].type;
+    }
+    return same ? known : TypeId();
+  }
+  Type type;
+  type.kind = TypeKind::kStruct;
+  type.name = name;
+  type.fields = std::move(fields);
+  return Intern(std::move(type));
+}
+
+TypeId Types::Array(TypeId element, uint32_t length) {
+  std::string text = Text(element) + "[" + std::to_string(length) + "]";
+  if (auto known = by_text_.find(text); known != by_text_.end()) return known->second;
+  Type type;
+  type.kind = TypeKind::kArray;
+  type.elements = {element};
+  type.length = length;
+  return Intern(std::move(type));
+}
+
+TypeId Types::Tuple(std::span<const TypeId> elements) {
+  Type type;
+  type.kind = TypeKind::kTuple;
+  type.elements.assign(elements.begin(), elements.end());
+  std::string text = "(";
+  for (size_t i = 0; i < elements.size(); ++i) text += (i ? ", " : "") + Text(elements[i]);
+  text += ")";
+  if (auto known = by_text_.find(text); known != by_text_.end()) return known->second;
+  return Intern(std::move(type));
+}
+
+TypeId Types::Field(TypeId result, std::span<const TypeId> parameters) {
+  Type type;
+  type.kind = TypeKind::kField;
+  type.elements = {result};
+  type.elements.insert(type.elements.end(), parameters.begin(), parameters.end());
+  std::string text = "field(";
+  for (size_t i = 0; i < parameters.size(); ++i) text += (i ? ", " : "") + Text(parameters[i]);
+  text += ") -> " + Text(result);
+  if (auto known = by_text_.find(text); known != by_text_.end()) return known->second;
+  return Intern(std::move(type));
+}
+
+TypeId Types::Find(std::string_view name) const {
+  auto known = by_text_.find(name);
+  return known == by_text_.end() ? TypeId() : known->second;
+}
+
+TypeId Types::ElementType(TypeId aggregate, uint32_t index) const {
+  const Type& type = types_[aggregate.index];
+  switch (type.kind) {
+    case TypeKind::kVector: return ScalarType(aggregate);
+    case TypeKind::kMatrix: return ColumnType(aggregate);
+    case TypeKind::kStruct: return type.fields[index].type;
+    case TypeKind::kTuple: return type.elements[index];
+    case TypeKind::kArray: return type.elements[0];
+    default: return TypeId();
+  }
+}
+
+uint32_t Types::ElementCount(TypeId aggregate) const {
+  const Type& type = types_[aggregate.index];
+  switch (type.kind) {
+    case TypeKind::kVector: return Width(aggregate);
+    case TypeKind::kMatrix: return MatrixSize(aggregate);
+    case TypeKind::kStruct: return static_cast<uint32_t>(type.fields.size());
+    case TypeKind::kTuple: return static_cast<uint32_t>(type.elements.size());
+    case TypeKind::kArray: return type.length;
+    default: return 0;
+  }
+}
+
+std::string Types::Text(TypeId id) const {
+  const Type& type = types_[id.index];
+  switch (type.kind) {
+    case TypeKind::kArray: return Text(type.elements[0]) + "[" + std::to_string(type.length) + "]";
+    case TypeKind::kTuple: {
+      std::string text = "(";
+      for (size_t i = 0; i < type.elements.size(); ++i) {
+        text += (i ? ", " : "") + Text(type.elements[i]);
+      }
+      return text + ")";
+    }
+    case TypeKind::kField: {
+      std::string text = "field(";
+      for (size_t i = 1; i < type.elements.size(); ++i) {
+        text += (i > 1 ? ", " : "") + Text(type.elements[i]);
+      }
+      return text + ") -> " + Text(type.elements[0]);
+    }
+    default: return type.name;
+  }
+}
+
+}  // namespace texgraph::ir

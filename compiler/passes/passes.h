@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// The passes, in the order in which compile.cc runs them. Each takes a whole module and leaves a whole module; a pass that can
+// refuse returns false with the reason in `diagnostics`.
+#pragma once
+
+#include "compiler/base/diagnostics.h"
+#include "compiler/graph/checked_graph.h"
+#include "compiler/ir/module.h"
+
+namespace texgraph::passes {
+
+// Appends `main`: one call for each node that an output needs; its results are the graph's outputs, by name. Plain outputs at
+// function ports, and graph functions, become functions of their own. `fold` is off only in tests.
+bool BuildModule(const graph::CheckedGraph& graph, blocks::Library& library, ir::Module& module, bool fold,
+                 Diagnostics& diagnostics);
+
+// Afterwards no function takes a field, and no call passes a constant to a template parameter: one function for each distinct
+// combination, the small ones inlined. What main does not reach is gone. Refuses with kInstanceLimit or kCostLimit.
+bool Specialize(ir::Module& module, bool fold, Diagnostics& diagnostics);
+
+// The same meaning with never more operations: folds, applies the algebraic rules, merges equal values, drops what nothing
+// uses, unused parameters and results of functions included. Idempotent.
+void Simplify(ir::Module& module);
+
+// Replaces dx and dy, and gives every sample whose coordinate is not plainly continuous an explicit gradient. Afterwards dfdx
+// and dfdy occur only at the top of main.
+void Differentiate(ir::Module& module, bool fold);
+
+}  // namespace texgraph::passes
