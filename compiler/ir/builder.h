@@ -82,7 +82,7 @@ class Builder {
   RegionId BeginRegion();
   ValueId AddRegionParameter(TypeId type);
   void EndRegion(std::span<const ValueId> results);
-  // `then_region` and `else_region` must be the last two regions begun at this level, with results of equal types, at least one.
+  // Two closed regions begun at this level, with results of equal types, at least one. A region is used once.
   ValueId If(ValueId condition, RegionId then_region, RegionId else_region);
   // loop.body's parameters are the index (int) and the carried values; `initial` are the carried values' first ones, at least one.
   ValueId For(ForLoop loop, std::span<const ValueId> initial);

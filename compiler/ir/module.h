@@ -27,6 +27,7 @@ using GlobalId = Id<struct GlobalTag>;      // of the module
 using FunctionId = Id<struct FunctionTag>;  // of the module
 using RegionId = Id<struct RegionTag>;      // of one function
 using LoopId = Id<struct LoopTag>;          // of one function
+using BranchId = Id<struct BranchTag>;      // of one function
 using NameId = Id<struct NameTag>;          // an interned string of the module
 using OriginId = Id<struct OriginTag>;      // of the module
 
@@ -35,14 +36,20 @@ struct Inst {
   uint16_t operand_count = 0;
   TypeId type;
   uint32_t first_operand = 0;  // into Function::operands
-  uint32_t aux = 0;  // kConst: ConstId. kParam: index. kGlobal: GlobalId. kExtract: index. kSwizzle: mask. kIf: the RegionId of
-                     // `then`, `else` is the next. kFor: LoopId. kCall, kFieldRef: FunctionId
+  uint32_t aux = 0;  // kConst: ConstId. kParam: index. kGlobal: GlobalId. kExtract: index. kSwizzle: mask. kIf: BranchId.
+                     // kFor: LoopId. kCall, kFieldRef: FunctionId
 };
 
 struct Region {
   std::vector<ValueId> params;   // of a loop's body: the index, then the carried values. Of a function: all parameters
   std::vector<ValueId> body;     // in order; constants and parameters are in no body
   std::vector<ValueId> results;  // what the region yields or the function returns
+};
+
+// The two sides of a kIf; their results have equal types.
+struct Branch {
+  RegionId then_region;
+  RegionId else_region;
 };
 
 // for (int i = first; i < last; i += step): the trip count is known when the loop is made, so every loop ends.
@@ -77,6 +84,7 @@ struct Function {
   std::vector<Inst> insts;
   std::vector<ValueId> operands;
   std::vector<Region> regions;
+  std::vector<Branch> branches;
   std::vector<ForLoop> loops;
   // Side tables, as long as `insts` or shorter.
   std::vector<NameId> names;
