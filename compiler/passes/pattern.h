@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// The small language of the algebraic rules (rules_*.def) and of the derivative column of
+// ir/ops.def: "(add (mul d0 x1) (mul x0 d1))".
+//
+//   (op p...)          an operation of ops.def. A suffix gives the scalar of its result, for
+//   conversions: (convert.float a) a b c d e f        variables of the rules. A variable that
+//   occurs twice stands for one and the same value x0..x3 d0..d3 r    operands, their derivatives
+//   and the result, in derivative rules a.int              a variable whose scalar is int; also
+//   .uint, .float, .bool c:const            a variable that must pass a test, see ValueTest 0 1 -1
+//   0.5 1e-8    a literal: in every component of the type that its place needs true false ones
+//   literals of bools, and of integers with every bit set tiny               1e-20
+//
+// A pattern is parsed once; matching and instantiating allocate nothing and do not recurse.
+// Malformed text aborts: the tables are part of the program.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "compiler/ir/builder.h"
+
+namespace texgraph::passes {
+
+// What a variable's value must be known to be. The tests of values look a few operations deep.
+enum class ValueTest : uint8_t {
+  kAny,
+  kConst,       // a constant
+  kNonzero,     // a constant without a zero component
+  kReciprocal,  // a float constant whose reciprocal is exact: plus or minus a power of two, neither
+                // subnormal
+  kPowerOfTwo,  // a uint constant, each component a power of two
+  kNegative,    // a constant with every component below zero
+  kUnitConst,   // a float constant in [0, 1]
+  kUniform,     // a scalar, a splat, or a constant with equal components
+  kNonnegative,  // never below zero; it may be NaN
+  kUnit,         // never outside [0, 1]; it may be NaN
+  kIntegral,     // a float that is a whole number, infinite or NaN
+};
+
+struct PatternNode {
+  enum class Kind : uint8_t { kOp, kVariable, kLiteral };
+  static constexpr uint8_t kAnyScalar = 0xff;
+
+  Kind kind = Kind::kLiteral;
+  ir::Op op = ir::Op::kConst;
+  uint8_t operand_count = 0;
+  uint8_t variable = 0;
+  uint8_t scalar = kAnyScalar;  // ir::Scalar that the value must have, or that the operation makes
+  ValueTest test = ValueTest::kAny;
+  bool all_ones = false;  // of a literal
+  double literal = 0;
+};
+
+// Operands before operations, in order; the root is last.
+struct Pattern {
+  std::vector<PatternNode> nodes;
+  const PatternNode& root() const { return nodes.back(); }
+};
+
+Pattern ParsePattern(std::string_view text);
+
+// Indices of variables: a..f and x0..x3 begin at 0, d0..d3 at 4, r is 8.
+inline constexpr size_t kMaxVariables = 9;
+struct Bindings {
+  std::array<ir::ValueId, kMaxVariables> values;
+};
+
+// Whether the operation that is about to be made is an instance of `pattern`. With `signed_zero`,
+// the literal 0 is +0 alone, and -0 is -0 alone. `bindings` must be empty; its contents are
+// unspecified after a failure.
+bool Match(const Pattern& pattern, ir::Builder& builder, ir::Op op, ir::TypeId type,
+           std::span<const ir::ValueId> operands, bool signed_zero, Bindings& bindings);
+// Whether `value` is known to pass the test.
+bool Passes(ValueTest test, ir::Builder& builder, ir::ValueId value);
+
+// Makes the value that `pattern` stands for, of type `type`: a scalar is splat if that is a vector.
+ir::ValueId Instantiate(const Pattern& pattern, ir::Builder& builder, const Bindings& bindings,
+                        ir::TypeId type);
+
+// --- Derivatives
+// -----------------------------------------------------------------------------------------------------
+
+enum class DerivativeKind : uint8_t {
+  kZero,  // "0": the derivative is zero
+  kRule,  // InstantiateDerivative makes it
+  kCode,  // "code": differentiate.cc makes it
+  kNone,  // "none": the result holds no float
+};
+DerivativeKind DerivativeOf(ir::Op op);
+
+// The derivative of r = op(x...) where the derivatives of x are `d`, in r's type; an invalid id in
+// `d` (or a missing one) is a derivative of zero, and no value is made for what it vanishes from.
+// nullopt: the derivative is zero. `op` is of kind kRule or kZero. The x that a rule does not name
+// may be invalid.
+std::optional<ir::ValueId> InstantiateDerivative(ir::Op op, ir::Builder& builder,
+                                                 std::span<const ir::ValueId> x,
+                                                 std::span<const ir::ValueId> d, ir::ValueId r);
+
+}  // namespace texgraph::passes
