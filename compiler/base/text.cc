@@ -41,7 +41,7 @@ std::string ShortestText(T value, T smallest, T largest) {
 
 }  // namespace
 
-std::string FloatText(float value) { return ShortestText(value, 1e-4f, 1e7f); }
+std::string FloatText(float value) { return ShortestText(value, 1e-4f, 1e9f); }
 
 std::string DoubleText(double value) { return ShortestText(value, 1e-4, 1e15); }
 
