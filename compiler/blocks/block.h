@@ -8,9 +8,9 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
 #include "compiler/base/diagnostics.h"
@@ -40,7 +40,8 @@ struct Port {
   SourceRange range;  // of the declaration
   std::string help;   // from "/// @param name help"
   std::string unit;   // "@unit degrees"
-  // "@default": a constant of the port's type, or the name of a built-in input ("uv"), or neither: the port must be connected.
+  // "@default": a constant of the port's type (kField: of the field's result type), or the name of a built-in input ("uv"), or
+  // neither: the port must be connected.
   ir::ConstId default_value;
   std::string default_input;
   std::optional<double> minimum, maximum;  // "@range 0 1", each component
@@ -48,15 +49,12 @@ struct Port {
   std::vector<std::string> field_parameters;  // kField: the names of the prototype's parameters
 };
 
-struct FunctionAst;  // ast.h
-struct BlockFile;    // ast.h
-
 struct Overload {
-  std::vector<Port> inputs;
+  std::vector<Port> inputs;  // the file's fields in its order, then the function's parameters that are not `out`
   // The return value first (named "result"), then the out parameters.
   std::vector<Port> outputs;
-  const FunctionAst* ast = nullptr;
-  ir::TypeId gen_type;  // what genType stands for here; invalid if the function is not generic
+  ir::TypeId gen_type;     // what genType stands for here; invalid if nothing of it is generic
+  uint32_t function = 0;   // index in the file's functions
 };
 
 struct Block {
@@ -65,17 +63,20 @@ struct Block {
   std::string path;     // "tiles/brick_grid.glsl"; for a user's block its path under the -I folder
   std::string summary;  // the first sentence
   std::string details;  // the rest of the text, lines kept
+  std::string source;   // "@source": where the method comes from
   SourceRange range;    // of the first overload's name
   std::vector<Overload> overloads;
-  const BlockFile* file = nullptr;
+  const struct File* file = nullptr;  // file.h
 };
 
 // The blocks that one compilation can use: the embedded library and the folders of -I (which come first), each parsed when
 // it is first asked for. Types, constants and functions go into `module`.
 class Library {
  public:
+  // `fold` false keeps what constants would decide, for the unoptimised leg of the tests; loop bounds and template values
+  // are known all the same.
   Library(ir::Module& module, Sources& sources, Diagnostics& diagnostics,
-          std::vector<std::string> folders = {});
+          std::vector<std::string> folders = {}, bool fold = true);
   ~Library();
 
   // Null if there is no such block, or if it is wrong (then it was reported, once).
@@ -85,8 +86,11 @@ class Library {
   std::vector<std::string_view> Names() const;  // sorted
   // The struct types of types.glsl ("Tile") and the basic types; invalid if there is none.
   ir::TypeId FindType(std::string_view name);
-  // The IR function of an overload, and before it those that it calls. Invalid if its body is wrong (reported).
-  ir::FunctionId Function(const Block& block, const Overload& overload);
+  // The IR function of an overload for these values of its kTemplate inputs, one for each, in their order and of their types; it
+  // has no parameters for them, the others are in the order of `inputs`. Made once for each combination, after the functions
+  // that it calls. Invalid if something is wrong with these values, a loop too long, say (reported).
+  ir::FunctionId Function(const Block& block, const Overload& overload,
+                          std::span<const ir::ConstId> template_values);
   // Paths of the files outside the program that were read, for dependency files.
   const std::vector<std::string>& FilesRead() const;
 

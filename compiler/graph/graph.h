@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "compiler/base/builtin_input.h"
 #include "compiler/base/diagnostics.h"
 #include "compiler/base/source.h"
 #include "compiler/graph/document.h"
@@ -103,19 +104,8 @@ struct Graph {
   Document document;  // owns what the views point into, beside the source text
 };
 
-// The inputs that every graph has, by name: type and meaning. uv: texture coordinate. position, normal: of the surface, in
-// object space. time: seconds. In this order in manifests and shaders.
-struct BuiltinInput {
-  std::string_view name;
-  std::string_view type;
-  std::string_view help;
-};
-inline constexpr BuiltinInput kBuiltinInputs[] = {
-    {"uv", "vec2", "texture coordinate"},
-    {"position", "vec3", "position on the surface, in object space"},
-    {"normal", "vec3", "unit normal of the surface, in object space"},
-    {"time", "float", "seconds since the start"},
-};
+using texgraph::BuiltinInput;
+using texgraph::kBuiltinInputs;
 
 // The outputs that a graph may have, and the types that they take.
 struct BuiltinOutput {
