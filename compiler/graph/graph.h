@@ -117,6 +117,10 @@ inline constexpr BuiltinOutput kBuiltinOutputs[] = {
     {"height", "float"},   {"emission", "vec3"}, {"opacity", "float"},
 };
 
+// The first texture of the graph with the same files, colour space and sampler state as texture `index`, perhaps itself. Equal
+// textures share one sampler in the shader.
+uint32_t FirstEqualTexture(const Graph& graph, uint32_t index);
+
 // Reads a document as a graph. Shape mistakes (unknown, missing and wrong keys, bad names, bad literals) are all reported;
 // nothing is returned if there was any.
 std::optional<Graph> ReadGraph(SourceId source, DocumentFormat format, const Sources& sources,

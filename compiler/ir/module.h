@@ -112,6 +112,7 @@ struct Global {
   std::string name;
   TypeId type;
   ConstId value;  // the default of uniforms and specialisation constants
+  bool is_smooth = true;  // textures: filtered linearly, so that what is sampled is continuous
 };
 
 // Where a value came from, for comments and diagnostics.

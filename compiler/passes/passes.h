@@ -16,7 +16,8 @@ bool BuildModule(const graph::CheckedGraph& graph, blocks::Library& library, ir:
 
 // Afterwards no function takes a field, and no call passes a constant to a template parameter: one function for each distinct
 // combination, the small ones inlined. What main does not reach is gone. Refuses with kInstanceLimit or kCostLimit.
-bool Specialize(ir::Module& module, bool fold, Diagnostics& diagnostics);
+// at `where`, the graph.
+bool Specialize(ir::Module& module, bool fold, SourceRange where, Diagnostics& diagnostics);
 
 // The same meaning with never more operations: folds, applies the algebraic rules, merges equal values, drops what nothing
 // uses, unused parameters and results of functions included. Idempotent.
