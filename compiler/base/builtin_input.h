@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The inputs that every graph has, by name: type and meaning. Graphs refer to them, and blocks name them as defaults of ports.
+// The inputs that every graph has, by name: type and meaning. Graphs refer to them, and blocks name
+// them as defaults of ports.
 #pragma once
 
 #include <string_view>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The texts that a compilation reads, and positions in them. Every later structure points back here with byte ranges,
-// so that a diagnostic can show file, line, column and the line itself.
+// The texts that a compilation reads, and positions in them. Every later structure points back here
+// with byte ranges, so that a diagnostic can show file, line, column and the line itself.
 #pragma once
 
 #include <deque>
@@ -14,7 +14,8 @@ namespace texgraph {
 
 using SourceId = Id<struct SourceTag>;
 
-// Half-open range of byte offsets in one source. An invalid source means "no place" (the command line, say).
+// Half-open range of byte offsets in one source. An invalid source means "no place" (the command
+// line, say).
 struct SourceRange {
   SourceId source;
   uint32_t begin = 0;

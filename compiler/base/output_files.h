@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// Writing all outputs of a run or none: each goes to a temporary file beside its place, and only
+// when every byte of every file is written and every error was looked at are they renamed, one
+// after the other; if a rename fails, those before it are taken back (where the file system can
+// exchange two files). A signal that ends the program removes the temporary files first.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "compiler/base/diagnostics.h"
+
+namespace texgraph {
+
+class OutputFiles {
+ public:
+  OutputFiles() = default;
+  OutputFiles(const OutputFiles&) = delete;
+  OutputFiles& operator=(const OutputFiles&) = delete;
+
+  // "-" is standard output. A symbolic link is followed; a device or a pipe (/dev/null) is written
+  // to directly; the permissions of a file that is there are kept, those of a new one follow the
+  // umask.
+  void Add(std::string path, std::string bytes) {
+    files_.push_back({std::move(path), std::move(bytes)});
+  }
+
+  // False, with kCannotWrite reported, if anything could not be written: then no file at any of the
+  // paths has changed. (What went to standard output or to a device cannot be taken back; they are
+  // written before the renames.)
+  bool Commit(Diagnostics& diagnostics);
+
+ private:
+  struct File {
+    std::string path;
+    std::string bytes;
+  };
+  std::vector<File> files_;
+};
+
+// Writes all of `bytes` to an open descriptor; returns 0 or the error number.
+int WriteAll(int descriptor, std::string_view bytes);
+
+// For the first lines of main(). Descriptors 0 to 2 that are closed are filled, so that no file is
+// opened in their place; writing to them still fails. A closed pipe and a reached file-size limit
+// become write errors. SIGINT, SIGTERM and SIGHUP remove the temporary files and end the program
+// with 128 plus the signal's number, but never between two renames.
+void PrepareProcess();
+
+}  // namespace texgraph
