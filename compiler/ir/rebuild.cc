@@ -147,9 +147,13 @@ void Rebuilder::SetResults(ValueId old, std::vector<ValueId> results) {
   results_[old] = std::move(results);
 }
 
+void Rebuilder::SetOrigin(ValueId old) {
+  if (keeps_names_) to_.SetOrigin(from_.OriginOf(old));
+}
+
 void Rebuilder::CopyOne(ValueId old) {
   const Inst& inst = from_[old];
-  to_.SetOrigin(from_.OriginOf(old));
+  SetOrigin(old);
   switch (inst.op) {
     case Op::kIf: SetResults(old, CopyIf(old)); break;
     case Op::kFor: SetResults(old, CopyFor(old)); break;
@@ -161,7 +165,7 @@ void Rebuilder::CopyOne(ValueId old) {
     }
     default: Set(old, Copy(old)); break;
   }
-  if (Get(old)) to_.Name(Get(old), from_.NameOf(old));
+  if (keeps_names_ && Get(old)) to_.Name(Get(old), from_.NameOf(old));
 }
 
 ValueId Rebuilder::Copy(ValueId old) {
@@ -204,7 +208,7 @@ std::vector<ValueId> Rebuilder::CopyIf(ValueId old) {
     to_.EndRegion(copy_side(branch.then_region));
     RegionId else_region = to_.BeginRegion();
     to_.EndRegion(copy_side(branch.else_region));
-    to_.SetOrigin(from_.OriginOf(old));
+    SetOrigin(old);
     ValueId merged = to_.If(condition, then_region, else_region);
     for (uint32_t i = 0; i < kept.size(); ++i) {
       found.push_back(to_.Result(merged, i, static_cast<uint32_t>(kept.size())));
@@ -239,17 +243,17 @@ std::vector<ValueId> Rebuilder::CopyFor(ValueId old) {
   } else {
     loop.body = to_.BeginRegion();
     Set(body.params[0], to_.AddRegionParameter(kInt));
-    to_.Name(Get(body.params[0]), from_.NameOf(body.params[0]));
+    if (keeps_names_) to_.Name(Get(body.params[0]), from_.NameOf(body.params[0]));
     for (uint32_t i : kept) {
       ValueId param = body.params[i + 1];
       Set(param, to_.AddRegionParameter(from_[param].type));
-      to_.Name(Get(param), from_.NameOf(param));
+      if (keeps_names_) to_.Name(Get(param), from_.NameOf(param));
     }
     CopyRegion(from_.loops[inst.aux].body);
     std::vector<ValueId> next;
     for (uint32_t i : kept) next.push_back(Get(body.results[i]));
     to_.EndRegion(next);
-    to_.SetOrigin(from_.OriginOf(old));
+    SetOrigin(old);
     ValueId merged = to_.For(loop, initial);
     for (uint32_t i = 0; i < kept.size(); ++i) {
       found.push_back(to_.Result(merged, i, static_cast<uint32_t>(kept.size())));
@@ -257,6 +261,16 @@ std::vector<ValueId> Rebuilder::CopyFor(ValueId old) {
   }
   for (size_t i = 0; i < kept.size(); ++i) results[kept[i]] = found[i];
   return results;
+}
+
+std::vector<ValueId> CopyInline(Module& module, const Function& callee, std::span<const ValueId> arguments,
+                                Builder& to) {
+  Liveness live(module, callee);
+  Rebuilder copy(module, callee, live, to);
+  copy.set_keeps_names(false);
+  for (size_t i = 0; i < arguments.size(); ++i) copy.Set(callee.Body().params[i], arguments[i]);
+  copy.CopyRegion(callee.body);
+  return copy.GetAll(callee.Body().results);
 }
 
 Function TakeFunction(Module& module, FunctionId id) {

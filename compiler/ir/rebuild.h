@@ -69,6 +69,9 @@ class Rebuilder {
   void CopyFunction();
   // Copies the live part of a region's body to where the builder stands.
   void CopyRegion(RegionId region);
+  // Without names, values copied from here on get neither from's names nor its origins, but the builder's present origin: for
+  // bodies that are copied into their callers.
+  void set_keeps_names(bool keeps) { keeps_names_ = keeps; }
   void Set(ValueId old, ValueId now) { map_[old.index] = now; }
   // The copy of `old`; constants are copied when they are first asked for.
   ValueId Get(ValueId old);
@@ -94,9 +97,16 @@ class Rebuilder {
  private:
   void CopyOne(ValueId old);
 
+  void SetOrigin(ValueId old);
+
+  bool keeps_names_ = true;
   std::vector<ValueId> map_;
   std::unordered_map<ValueId, std::vector<ValueId>> results_;
 };
+
+// Copies the body of `callee` to where the builder stands, without its names, and returns its results.
+std::vector<ValueId> CopyInline(Module& module, const Function& callee, std::span<const ValueId> arguments,
+                                Builder& to);
 
 // Replaces module[id] by an empty function with the same name, display name and origin, and returns the old one.
 Function TakeFunction(Module& module, FunctionId id);

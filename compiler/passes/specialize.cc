@@ -1,0 +1,447 @@
+// SPDX-License-Identifier: Apache-2.0
+// Specialize: every function port is bound to a function, every constant that decides something is built into the function it
+// is passed to, and small functions are copied into their callers. Fields stay functions: a four-tap field nested d deep is d
+// functions, not 4^d copies.
+#include <algorithm>
+#include <bit>
+#include <deque>
+#include <limits>
+#include <map>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "compiler/ir/rebuild.h"
+#include "compiler/passes/passes.h"
+
+namespace texgraph::passes {
+namespace {
+
+using ir::ConstId;
+using ir::FunctionId;
+using ir::Op;
+using ir::ValueId;
+
+constexpr size_t kMaxInstances = 4096;
+constexpr size_t kMaxCallDepth = 64;
+// Beyond so many variants of one function by constants, constants are passed as arguments.
+constexpr uint32_t kMaxVariants = 16;
+// Functions of at most so many operations, and without branches, are copied into their callers.
+constexpr int kMaxInlined = 5;
+// Operations for one pixel, with all loops and calls run through.
+constexpr uint64_t kMaxCost = 50'000'000;
+
+// What a parameter of an instance is bound to.
+struct Binding {
+  enum class Kind : uint8_t { kNone, kConst, kField };
+  Kind kind = Kind::kNone;
+  uint32_t id = 0;        // ConstId, or FunctionId among the old functions
+  uint32_t captures = 0;  // kField: how many parameters stand in its place
+};
+
+struct FieldBinding {
+  FunctionId function;  // among the old functions
+  std::vector<ValueId> captured;
+};
+
+bool MakesNoWork(Op op) {
+  switch (op) {
+    case Op::kExtract:
+    case Op::kSwizzle:
+    case Op::kSplat:
+    case Op::kConstruct:
+    case Op::kConvert:
+    case Op::kBitcast:
+    case Op::kGlobal: return true;
+    default: return false;
+  }
+}
+
+bool IsSmall(const ir::Function& function) {
+  int work = 0;
+  for (ValueId v : function.Body().body) {
+    Op op = function[v].op;
+    if (op == Op::kIf || op == Op::kFor) return false;
+    if (!MakesNoWork(op) && ++work > kMaxInlined) return false;
+  }
+  return true;
+}
+
+// The parameters that decide something: they reach a comparison, a selection, a branch or an index through plain steps, so that
+// a constant makes code disappear. By parameter.
+std::vector<bool> DecidingParameters(const ir::Function& function,
+                                     const std::vector<std::vector<bool>>& callees) {
+  std::vector<ValueId> work;
+  for (const ir::Inst& inst : function.insts) {
+    std::span<const ValueId> operands = function.Operands(inst);
+    switch (inst.op) {
+      case Op::kLt:
+      case Op::kLe:
+      case Op::kEq:
+      case Op::kNe: work.insert(work.end(), operands.begin(), operands.end()); break;
+      case Op::kIf:
+      case Op::kSelect: work.push_back(operands[0]); break;
+      case Op::kIndex: work.push_back(operands[1]); break;
+      case Op::kCall:
+        for (size_t i = 0; i < operands.size(); ++i) {
+          if (callees[inst.aux][i]) work.push_back(operands[i]);
+        }
+        break;
+      default: break;
+    }
+  }
+  std::vector<bool> seen(function.insts.size()), deciding(function.parameters.size());
+  while (!work.empty()) {
+    ValueId v = work.back();
+    work.pop_back();
+    if (seen[v.index]) continue;
+    seen[v.index] = true;
+    const ir::Inst& inst = function[v];
+    switch (inst.op) {
+      case Op::kAdd:
+      case Op::kSub:
+      case Op::kNeg:
+      case Op::kMin:
+      case Op::kMax:
+      case Op::kAbs:
+      case Op::kLogicalAnd:
+      case Op::kLogicalOr:
+      case Op::kLogicalNot:
+      case Op::kConvert:
+      case Op::kExtract:
+      case Op::kSwizzle:
+      case Op::kConstruct:
+      case Op::kSplat:
+      case Op::kAny:
+      case Op::kAll:
+        for (ValueId operand : function.Operands(inst)) work.push_back(operand);
+        break;
+      default: break;
+    }
+  }
+  const std::vector<ValueId>& params = function.Body().params;
+  for (size_t p = 0; p < params.size(); ++p) deciding[p] = seen[params[p].index];
+  return deciding;
+}
+
+class Specializer {
+ public:
+  Specializer(ir::Module& module, bool fold, SourceRange where, Diagnostics& diagnostics);
+  bool Run();
+
+  struct Callee {
+    FunctionId id;  // among the new functions; invalid after an error
+    bool inlined = false;
+  };
+  Callee Instance(FunctionId old, const std::vector<Binding>& bindings, const std::string& suffix);
+  // Whether this constant is worth a function of its own.
+  bool Binds(FunctionId callee, size_t parameter, ConstId value) const;
+  const ir::Function& old(FunctionId id) const { return old_[id.index]; }
+  bool failed() const { return failed_; }
+
+ private:
+  void CountCalls();
+  void NameInstances();
+  bool CheckCost();
+  void Refuse(const std::string& message);
+
+  ir::Module& module_;
+  const bool fold_;
+  const SourceRange where_;
+  Diagnostics& diagnostics_;
+  std::deque<ir::Function> old_;
+  std::vector<std::vector<bool>> deciding_;
+  std::vector<uint32_t> sites_;     // calls of each old function in the old module
+  std::vector<uint32_t> variants_;  // instances of each old function
+  struct Made {
+    FunctionId old;
+    std::string suffix;
+    bool is_small;
+  };
+  std::vector<Made> made_;  // by new FunctionId
+  std::map<std::vector<uint32_t>, FunctionId> instances_;
+  std::vector<std::string> chain_;  // display names from main to the function being made
+  bool failed_ = false;
+};
+
+// Copies one old function with its parameters bound.
+class InstanceRebuilder : public ir::Rebuilder {
+ public:
+  InstanceRebuilder(Specializer& specializer, ir::Module& module, const ir::Function& from,
+                    const ir::Liveness& live, ir::Builder& to, const std::string& suffix)
+      : Rebuilder(module, from, live, to), specializer_(specializer), suffix_(suffix) {}
+
+  void BindParameters(const std::vector<Binding>& bindings);
+
+ protected:
+  ValueId Copy(ValueId old) override;
+  std::vector<ValueId> CopyCall(ValueId old) override;
+
+ private:
+  // Calls an instance of `callee`, the small ones by copying them here. `old_arguments` are the old function's values, then
+  // come new ones.
+  std::vector<ValueId> CallInstance(ValueId old, FunctionId callee, std::span<const ValueId> old_arguments,
+                                    std::span<const ValueId> captured);
+
+  Specializer& specializer_;
+  const std::string& suffix_;
+  std::unordered_map<ValueId, FieldBinding> fields_;
+};
+
+void InstanceRebuilder::BindParameters(const std::vector<Binding>& bindings) {
+  for (size_t i = 0; i < from_.parameters.size(); ++i) {
+    ValueId param = from_.Body().params[i];
+    const Binding& binding = bindings[i];
+    if (binding.kind == Binding::Kind::kNone) {
+      Set(param, to_.AddParameter(from_.parameters[i]));
+    } else if (binding.kind == Binding::Kind::kConst) {
+      Set(param, to_.Const(ConstId(binding.id)));
+    } else {
+      const ir::Function& field = specializer_.old(FunctionId(binding.id));
+      FieldBinding bound{FunctionId(binding.id), {}};
+      size_t first = field.parameters.size() - binding.captures;
+      for (size_t c = 0; c < binding.captures; ++c) {
+        bound.captured.push_back(to_.AddParameter(field.parameters[first + c]));
+      }
+      fields_.emplace(param, std::move(bound));
+    }
+  }
+}
+
+ValueId InstanceRebuilder::Copy(ValueId old) {
+  const ir::Inst& inst = from_[old];
+  std::span<const ValueId> operands = from_.Operands(inst);
+  if (inst.op == Op::kFieldRef) {
+    fields_.emplace(old, FieldBinding{FunctionId(inst.aux), GetAll(operands)});
+    return ValueId();
+  }
+  if (inst.op == Op::kCallField) {
+    const FieldBinding field = fields_.at(operands[0]);
+    return CallInstance(old, field.function, operands.subspan(1), field.captured)[0];
+  }
+  return Rebuilder::Copy(old);
+}
+
+std::vector<ValueId> InstanceRebuilder::CopyCall(ValueId old) {
+  const ir::Inst& inst = from_[old];
+  return CallInstance(old, FunctionId(inst.aux), from_.Operands(inst), {});
+}
+
+std::vector<ValueId> InstanceRebuilder::CallInstance(ValueId old, FunctionId callee,
+                                                     std::span<const ValueId> old_arguments,
+                                                     std::span<const ValueId> captured) {
+  const uint32_t count = live_.ResultCount(old);
+  std::vector<ValueId> results(count), arguments;
+  std::vector<Binding> bindings;
+  auto pass = [&](ValueId argument) {
+    size_t parameter = bindings.size();
+    if (to_.IsConst(argument) && specializer_.Binds(callee, parameter, ConstId(to_[argument].aux))) {
+      bindings.push_back({Binding::Kind::kConst, to_[argument].aux, 0});
+    } else {
+      bindings.push_back({});
+      arguments.push_back(argument);
+    }
+  };
+  for (ValueId argument : old_arguments) {
+    auto field = fields_.find(argument);
+    if (field == fields_.end()) {
+      pass(Get(argument));
+      continue;
+    }
+    const FieldBinding& bound = field->second;
+    bindings.push_back(
+        {Binding::Kind::kField, bound.function.index, static_cast<uint32_t>(bound.captured.size())});
+    arguments.insert(arguments.end(), bound.captured.begin(), bound.captured.end());
+  }
+  for (ValueId argument : captured) pass(argument);
+
+  ir::OriginId origin = from_.OriginOf(old);
+  bool in_node = origin && !module_.origins[origin.index].node.empty();
+  Specializer::Callee made =
+      specializer_.Instance(callee, bindings, in_node ? module_.origins[origin.index].node : suffix_);
+  if (specializer_.failed()) {
+    // Whatever is made from now on is thrown away, but it must have its type.
+    const std::vector<ir::Result>& types = specializer_.old(callee).results;
+    for (uint32_t i = 0; i < count; ++i) results[i] = to_.Zero(types[i].type);
+    return results;
+  }
+  if (made.inlined) return CopyInline(module_, module_[made.id], arguments, to_);
+  ValueId call = to_.Call(made.id, arguments);
+  for (uint32_t i = 0; i < count; ++i) {
+    if (live_.LiveResult(old, i)) results[i] = to_.Result(call, i, count);
+  }
+  return results;
+}
+
+// --- Specializer -------------------------------------------------------------------------------------------------
+
+Specializer::Specializer(ir::Module& module, bool fold, SourceRange where, Diagnostics& diagnostics)
+    : module_(module), fold_(fold), where_(where), diagnostics_(diagnostics) {
+  old_ = std::move(module.functions);
+  module.functions.clear();
+  variants_.assign(old_.size(), 0);
+  CountCalls();
+}
+
+void Specializer::CountCalls() {
+  sites_.assign(old_.size(), 0);
+  for (const ir::Function& function : old_) {
+    for (const ir::Inst& inst : function.insts) {
+      if (inst.op == Op::kCall || inst.op == Op::kFieldRef) ++sites_[inst.aux];
+    }
+    deciding_.push_back(DecidingParameters(function, deciding_));
+  }
+}
+
+bool Specializer::Binds(FunctionId callee, size_t parameter, ConstId value) const {
+  if (!fold_ || variants_[callee.index] >= kMaxVariants) return false;
+  if (sites_[callee.index] == 1 || deciding_[callee.index][parameter]) return true;
+  ir::TypeId type = module_.constant(value).type;
+  if (ir::IsBool(type)) return true;
+  if (!ir::IsFloat(type)) return false;
+  // All zeros or all ones: terms vanish.
+  std::span<const uint32_t> words = module_.Words(value);
+  uint32_t first = words[0] & 0x7fffffffu;
+  if (first != 0 && words[0] != std::bit_cast<uint32_t>(1.0f)) return false;
+  return std::ranges::all_of(words, [&](uint32_t word) {
+    return word == words[0] || (first == 0 && (word & 0x7fffffffu) == 0);
+  });
+}
+
+void Specializer::Refuse(const std::string& message) {
+  if (failed_) return;
+  failed_ = true;
+  std::string chain;
+  for (size_t i = 0; i < chain_.size(); ++i) {
+    bool shown = i < 4 || i + 4 >= chain_.size();
+    if (shown) chain += (i ? " -> " : "") + chain_[i];
+    if (i == 4 && !shown) chain += " -> ...";
+  }
+  diagnostics_.Error(DiagnosticKind::kInstanceLimit, where_, message).AddNote(where_, "through " + chain);
+}
+
+Specializer::Callee Specializer::Instance(FunctionId id, const std::vector<Binding>& bindings,
+                                          const std::string& suffix) {
+  if (failed_) return {};
+  std::vector<uint32_t> key{id.index};
+  for (const Binding& binding : bindings) {
+    key.push_back(static_cast<uint32_t>(binding.kind));
+    key.push_back(binding.id);
+  }
+  if (auto known = instances_.find(key); known != instances_.end()) {
+    return {known->second, made_[known->second.index].is_small};
+  }
+  const ir::Function& from = old_[id.index];
+  chain_.push_back(from.display_name);
+  if (chain_.size() > kMaxCallDepth) {
+    Refuse(fmt::format("functions call one another more than {} deep", kMaxCallDepth));
+  } else if (instances_.size() >= kMaxInstances) {
+    Refuse(fmt::format("the graph needs more than {} functions once its function ports are bound",
+                       kMaxInstances));
+  }
+  if (failed_) return {};
+  ++variants_[id.index];
+  ir::Function made;
+  made.name = from.name;
+  if (variants_[id.index] > 1) made.name += fmt::format(".{}", variants_[id.index]);
+  made.display_name = from.display_name;
+  made.origin = from.origin;
+  made.results = from.results;
+  {
+    ir::Builder builder(module_, made, {fold_, nullptr});
+    ir::Liveness live(module_, from);
+    InstanceRebuilder rebuilder(*this, module_, from, live, builder, suffix);
+    rebuilder.BindParameters(bindings);
+    rebuilder.CopyRegion(from.body);
+    builder.Return(rebuilder.GetAll(from.Body().results));
+  }
+  chain_.pop_back();
+  if (failed_) return {};
+  made_.push_back({id, suffix, fold_ && IsSmall(made)});
+  module_.functions.push_back(std::move(made));
+  FunctionId result(module_.functions.size() - 1);
+  instances_.emplace(std::move(key), result);
+  return {result, made_.back().is_small};
+}
+
+// A function with one instance keeps its block's name; several are told apart by the node that asked first.
+void Specializer::NameInstances() {
+  for (size_t i = 0; i < made_.size(); ++i) {
+    if (variants_[made_[i].old.index] < 2 || made_[i].suffix.empty()) continue;
+    ir::Function& function = module_.functions[i];
+    if (!function.display_name.ends_with("_" + made_[i].suffix)) {
+      function.display_name += "_" + made_[i].suffix;
+    }
+  }
+}
+
+uint64_t SaturatingAdd(uint64_t a, uint64_t b) {
+  return a > std::numeric_limits<uint64_t>::max() - b ? std::numeric_limits<uint64_t>::max() : a + b;
+}
+
+uint64_t SaturatingMultiply(uint64_t a, uint64_t b) {
+  return b && a > std::numeric_limits<uint64_t>::max() / b ? std::numeric_limits<uint64_t>::max() : a * b;
+}
+
+uint64_t RegionCost(const ir::Function& function, ir::RegionId region, const std::vector<uint64_t>& callees) {
+  uint64_t cost = 0;
+  for (ValueId v : function.regions[region.index].body) {
+    const ir::Inst& inst = function[v];
+    uint64_t one = Info(inst.op).cost;
+    if (inst.op == Op::kCall) one = SaturatingAdd(one, callees[inst.aux]);
+    if (inst.op == Op::kIf) {
+      const ir::Branch& branch = function.branches[inst.aux];
+      one = SaturatingAdd(one, RegionCost(function, branch.then_region, callees));
+      one = SaturatingAdd(one, RegionCost(function, branch.else_region, callees));
+    } else if (inst.op == Op::kFor) {
+      const ir::ForLoop& loop = function.loops[inst.aux];
+      one = SaturatingAdd(
+          one, SaturatingMultiply(std::max(loop.Trips(), 1u), RegionCost(function, loop.body, callees)));
+    }
+    cost = SaturatingAdd(cost, one);
+  }
+  return cost;
+}
+
+bool Specializer::CheckCost() {
+  std::vector<uint64_t> costs;
+  for (const ir::Function& function : module_.functions) {
+    costs.push_back(RegionCost(function, function.body, costs));
+  }
+  if (costs[module_.main.index] <= kMaxCost) return true;
+  // The chain of the costliest calls.
+  std::string chain = "main";
+  for (FunctionId f = module_.main; f;) {
+    FunctionId next;
+    for (const ir::Inst& inst : module_[f].insts) {
+      if (inst.op != Op::kCall || (next && costs[inst.aux] <= costs[next.index])) continue;
+      next = FunctionId(inst.aux);
+    }
+    f = next;
+    if (f) chain += " -> " + module_[f].display_name;
+  }
+  diagnostics_
+      .Error(DiagnosticKind::kCostLimit, where_,
+             fmt::format("the shader would run more than {} operations for each pixel", kMaxCost))
+      .AddNote(where_, "most of them through " + Printable(chain, 1000));
+  return false;
+}
+
+bool Specializer::Run() {
+  FunctionId main = module_.main;
+  Callee made = Instance(main, std::vector<Binding>(old_[main.index].parameters.size()), "");
+  if (failed_) return false;
+  module_.main = made.id;
+  NameInstances();
+  return CheckCost();
+}
+
+}  // namespace
+
+bool Specialize(ir::Module& module, bool fold, SourceRange where, Diagnostics& diagnostics) {
+  return Specializer(module, fold, where, diagnostics).Run();
+}
+
+}  // namespace texgraph::passes
