@@ -37,6 +37,7 @@ class Builder {
   Module& module() { return module_; }
   bool folds() const { return options_.fold; }
   Function& function() { return function_; }
+  const Function& function() const { return function_; }
   const Inst& operator[](ValueId v) const { return function_.insts[v.index]; }
   TypeId TypeOf(ValueId v) const { return function_.insts[v.index].type; }
 
