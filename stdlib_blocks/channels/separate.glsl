@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The channels of a colour, or the components of a vector, as numbers.
+/// @param color the colour
+/// @param r red
+/// @param g green
+/// @param b blue
+/// @param a alpha
+void separate(vec4 color, out float r, out float g, out float b, out float a) {
+  r = color.r;
+  g = color.g;
+  b = color.b;
+  a = color.a;
+}

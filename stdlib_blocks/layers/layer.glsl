@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+const int FIT_STRETCH = 0;
+const int FIT_CONTAIN = 1;
+const int FIT_COVER = 2;
+
+/// Draws an image once in every tile, each time a little different: moved, scaled, turned and faded at random within limits.
+/// Give it the `inner` tile of another layer to make it that layer's child: it then moves, turns and scales with its parent,
+/// as if it were painted on it, and varies on its own on top of that.
+/// Angles and shapes are kept in texture space: a long brick that is turned does not shear. An element is not drawn beyond its
+/// cell: what sticks out is cut off. The colour is transparent outside the image, with antialiased edges.
+/// @source the brick shader generator, sections 3.1 and 3.2: parameters with a minimum and a maximum for each element of a
+///   tile's template, and parents
+/// @param image what is drawn, from (0, 0) at its lower left corner to (1, 1); straight alpha
+/// @param tile where it is drawn: a tile of a grid, or the `inner` of a parent layer
+/// @param position_min left and lower limit of the centre's position, in tiles @default vec2(0.5)
+/// @param position_max right and upper limit of the centre's position, in tiles @default vec2(0.5)
+/// @param scale least and greatest size, in tiles; above 0 @default vec2(1)
+/// @param rotation least and greatest angle, counter-clockwise @default vec2(0) @unit degrees
+/// @param opacity least and greatest opacity @default vec2(1) @range 0 1
+/// @param tint what the image's colour is multiplied by @default vec3(1)
+/// @param fit the shape at scale 1: stretch, that of the tile; contain, the largest square that fits in; cover, the smallest
+///   square that covers the tile @default FIT_STRETCH
+/// @param stream layers with different streams vary independently of each other @default 0
+/// @param color the layer's colour, straight alpha
+/// @param inner the frame of the image, as a tile for child layers
+vec4 image(vec2 uv);
+
+// The share of the pixel within its cell that the element covers, for each axis of the element.
+// Dividing by the share of the pixel that lies in the cell makes an element that fills its cell opaque up to the border,
+// where the neighbour goes on. Beyond the size of a cell the pixel's footprint counts as the cell, so that far away the
+// coverage is the share of the cell that the element takes.
+float coverage(vec2 q, vec2 cell_in_q, vec2 local) {
+  vec2 width = clamp(footprint(q), vec2(1e-5), cell_in_q);
+  vec2 share = (min(q + 0.5 * width, 1.0) - max(q - 0.5 * width, 0.0)) / width;
+  vec2 cell_width = clamp(footprint(local), 1e-5, 1.0);
+  vec2 inside = clamp((0.5 - abs(local - 0.5)) / cell_width + 0.5, 0.5, 1.0);
+  vec2 covered = clamp(share / inside, 0.0, 1.0);
+  return covered.x * covered.y;
+}
+
+void layer(Tile tile, vec2 position_min, vec2 position_max, vec2 scale, vec2 rotation, vec2 opacity,
+           vec3 tint, const int fit, int stream, out vec4 color, out Tile inner) {
+  uint seed = hash(tile.seed + uint(stream));
+  vec2 turn = random2(seed, -2);
+  float size = mix(scale.x, scale.y, turn.x);
+  float angle = radians(mix(rotation.x, rotation.y, turn.y));
+  float side = fit == FIT_CONTAIN ? min(tile.size.x, tile.size.y) : max(tile.size.x, tile.size.y);
+  vec2 frame = fit == FIT_STRETCH ? tile.size : vec2(side);
+  vec2 along = fit == FIT_STRETCH ? vec2(1.0) : tile.size / side;
+  vec2 across = vec2(tile.size.y, -tile.size.x) / frame;
+  vec2 p = tile.local - mix(position_min, position_max, random2(seed, -1));
+  vec2 q = (cos(angle) * along * p + sin(angle) * across * p.yx) / size + 0.5;
+  inner.cell = tile.cell;
+  inner.local = q;
+  inner.size = size * frame;
+  inner.seed = seed;
+  color = image(q);
+  color.rgb *= tint;
+  color.a *= mix(opacity.x, opacity.y, random(seed, -3)) * coverage(q, along / size, tile.local);
+}
