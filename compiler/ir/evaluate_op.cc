@@ -9,19 +9,16 @@ bool EvaluateOp(const Types& types, const OpArguments& arguments, uint32_t* resu
   const Op op = arguments.op;
   const auto x = arguments.operands;
   const uint32_t lanes = arguments.lanes;
+  const uint32_t n = types.Words(arguments.type) * lanes;
   switch (Info(op).shape) {
     case OpShape::kNumeric:
-    case OpShape::kInteger: {
-      uint32_t n = Width(arguments.type) * lanes;
+    case OpShape::kInteger:
       if (IsFloat(arguments.type)) return families::Arithmetic(op, x, n, result);
       return families::Integer(op, ScalarOf(arguments.type) == Scalar::kInt, x, n, result);
-    }
-    case OpShape::kFloating: {
+    case OpShape::kFloating:
       if (op == Op::kDx || op == Op::kDy || op == Op::kDfdx || op == Op::kDfdy) return false;
-      uint32_t n = Width(arguments.type) * lanes;
       return families::Arithmetic(op, x, n, result) || families::Math(op, x, n, result) ||
              families::Vectors(op, Width(arguments.type), lanes, x, result);
-    }
     case OpShape::kDotLike:
     case OpShape::kLengthLike:
       return families::Vectors(op, Width(arguments.operand_types[0]), lanes, x, result);
@@ -35,7 +32,7 @@ bool EvaluateOp(const Types& types, const OpArguments& arguments, uint32_t* resu
       return families::Comparison(op, arguments.operand_types[0], lanes, x, result);
     case OpShape::kConversion:
       families::Conversion(op, ScalarOf(arguments.operand_types[0]), ScalarOf(arguments.type), x[0],
-                           Width(arguments.type) * lanes, result);
+                           n, result);
       return true;
     case OpShape::kSelection:
     case OpShape::kSplatting:

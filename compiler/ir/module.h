@@ -132,6 +132,7 @@ class Module {
 
   ConstId Intern(TypeId type, std::span<const uint32_t> words);
   const Constant& constant(ConstId id) const { return constants_[id.index]; }
+  size_t constant_count() const { return constants_.size(); }
   std::span<const uint32_t> Words(ConstId id) const {
     const Constant& c = constants_[id.index];
     return {words_.data() + c.first_word, types.Words(c.type)};

@@ -17,7 +17,7 @@ enum class Op : uint8_t {
 // How the types of operands and result relate. T: one type throughout, width 1 to 4.
 enum class OpShape : uint8_t {
   kLeaf,
-  kNumeric,        // T... -> T, T float, int or uint
+  kNumeric,        // T... -> T, T float, int or uint; matrices for add, sub, mul, div and neg; abs and sign have no uint
   kInteger,        // T... -> T, T int or uint
   kFloating,       // T... -> T, T float
   kDotLike,        // T, T -> float
@@ -30,10 +30,10 @@ enum class OpShape : uint8_t {
   kTestFloat,      // T float -> bool of the same width
   kSelection,      // bool, or bool vector of T's width, then T, T -> T; with a plain bool T may be of any type
   kConversion,     // T -> U of the same width
-  kSplatting,      // scalar -> vector
+  kSplatting,      // scalar -> vector, or float -> matrix
   kMaking,
   kTaking,
-  kIndexing,       // aggregate, int -> element
+  kIndexing,       // vector, matrix or array, then int or uint -> element
   kSampling,       // -> vec4
   kTextureQuery,   // sampler, int -> ivec of the sampler's size
   kControl,
