@@ -9,8 +9,9 @@
 
 namespace texgraph {
 
-// The shortest decimal text that reads back as exactly `value`, always with a '.' or an exponent,
-// so that GLSL and JSON take it as a float: "1.0", "0.1", "1e-45", "-0.0". `value` must be finite.
+// The shortest decimal text that reads back as exactly `value`, always with a '.' or an exponent, so
+// that GLSL and JSON take it as a float: "1.0", "0.1", "1e-45", "-0.0". Whole numbers below 1e9 are
+// written out: "16777216.0". `value` must be finite.
 std::string FloatText(float value);
 // The same for a double.
 std::string DoubleText(double value);
