@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// make_pictures FOLDER: writes the pictures of the example graphs into FOLDER (graphs/ as a rule).
+#include <png.h>
+
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+
+#include "graphs/pictures/picture.h"
+
+namespace {
+
+bool WritePng(const std::filesystem::path& path, const texgraph::pictures::Picture& picture) {
+  std::error_code error;
+  std::filesystem::create_directories(path.parent_path(), error);
+  png_image image;
+  std::memset(&image, 0, sizeof image);
+  image.version = PNG_IMAGE_VERSION;
+  image.width = static_cast<png_uint_32>(picture.width);
+  image.height = static_cast<png_uint_32>(picture.height);
+  image.format = picture.has_alpha ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
+  return png_image_write_to_file(&image, path.c_str(), 0, picture.pixels.data(), 0, nullptr) != 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fprintf(stderr, "usage: make_pictures FOLDER\n");
+    return 2;
+  }
+  for (const texgraph::pictures::NamedPicture& picture : texgraph::pictures::Pictures()) {
+    std::filesystem::path path = std::filesystem::path(argv[1]) / picture.path;
+    if (!WritePng(path, picture.make())) {
+      std::fprintf(stderr, "make_pictures: cannot write %s\n", path.c_str());
+      return 3;
+    }
+    std::printf("%s\n", path.c_str());
+  }
+  return 0;
+}

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "graphs/pictures/picture.h"
+
+#include <cmath>
+
+namespace texgraph::pictures {
+
+Color Mix(Color a, Color b, double t) {
+  return {Mix(a.r, b.r, t), Mix(a.g, b.g, t), Mix(a.b, b.b, t)};
+}
+
+Color operator*(Color color, double factor) {
+  return {color.r * factor, color.g * factor, color.b * factor};
+}
+
+namespace {
+
+uint8_t Quantize(double value) {
+  return static_cast<uint8_t>(std::floor(Clamp(value, 0, 1) * 255 + 0.5));
+}
+
+// How bright a slope is, 1 for a level one: Lambert's law, with light from the upper left and from
+// all around.
+double Shade(double slope_x, double slope_y) {
+  double length = std::sqrt(1 + slope_x * slope_x + slope_y * slope_y);
+  double lit = (0.42 * slope_x + 0.50 * slope_y + 0.76) / length / 0.76;
+  return 0.45 + 0.55 * Clamp(lit, 0, 1.8);
+}
+
+}  // namespace
+
+Picture Paint(int width, int height, bool has_alpha, const Painter& painter) {
+  Picture picture{width, height, has_alpha, {}};
+  picture.pixels.reserve(static_cast<size_t>(width) * height * (has_alpha ? 4 : 3));
+  double step = 1.0 / height;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      Point p{(x + 0.5) * step, (y + 0.5) * step};
+      double level = painter.height(p);
+      double slope_x = (painter.height({p.x + step, p.y}) - level) / step;
+      double slope_y = (painter.height({p.x, p.y + step}) - level) / step;
+      Surface surface = painter.surface(p);
+      Color color = surface.color * Shade(painter.relief * slope_x, painter.relief * slope_y);
+      picture.pixels.push_back(Quantize(color.r));
+      picture.pixels.push_back(Quantize(color.g));
+      picture.pixels.push_back(Quantize(color.b));
+      if (has_alpha) {
+        picture.pixels.push_back(Quantize(surface.alpha));
+      }
+    }
+  }
+  return picture;
+}
+
+std::vector<NamedPicture> Pictures() {
+  return {
+      {"brick_wall/brick.png", MakeBrick}, {"brick_wall/mortar.png", MakeMortar},
+      {"brick_wall/moss.png", MakeMoss},   {"brick_wall/soot.png", MakeSoot},
+      {"painted_wood/wood.png", MakeWood},
+  };
+}
+
+}  // namespace texgraph::pictures

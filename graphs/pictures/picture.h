@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// The pictures that the example graphs are drawn with, made from noise: 8 bits a channel, sRGB,
+// straight alpha. Transparent pixels have a colour too, so that filtering mixes nothing strange
+// into the edges.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "graphs/pictures/noise.h"
+
+namespace texgraph::pictures {
+
+struct Color {  // sRGB values from 0 to 1
+  double r = 0;
+  double g = 0;
+  double b = 0;
+};
+Color Mix(Color a, Color b, double t);
+Color operator*(Color color, double factor);
+
+struct Picture {
+  int width = 0;
+  int height = 0;
+  bool has_alpha = false;
+  std::vector<uint8_t> pixels;  // rows from the top, 3 or 4 bytes a pixel
+};
+
+// What a painter says of one point. The light comes from the upper left; `height` is in the unit of
+// the coordinates.
+struct Surface {
+  Color color;
+  double alpha = 1;
+};
+struct Painter {
+  std::function<double(Point)> height;
+  std::function<Surface(Point)> surface;
+  double relief = 1;  // how strongly slopes are shaded
+};
+
+// Coordinates go from (0, 0) at the upper left to (width / height, 1).
+Picture Paint(int width, int height, bool has_alpha, const Painter& painter);
+
+struct NamedPicture {
+  std::string path;  // from the folder of graphs
+  std::function<Picture()> make;
+};
+// All of them.
+std::vector<NamedPicture> Pictures();
+
+Picture MakeBrick();
+Picture MakeMortar();
+Picture MakeMoss();
+Picture MakeSoot();
+Picture MakeWood();
+
+}  // namespace texgraph::pictures

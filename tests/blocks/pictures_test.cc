@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// The committed pictures are those that the generator draws, pixel by pixel, and fit for their use.
+#include <gtest/gtest.h>
+#include <png.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+
+#include "graphs/pictures/picture.h"
+
+namespace texgraph::pictures {
+namespace {
+
+std::string PathOf(const NamedPicture& picture) {
+  return std::string(TEXGRAPH_SOURCE_DIR) + "/graphs/" + picture.path;
+}
+
+Picture ReadPng(const std::string& path) {
+  png_image image;
+  std::memset(&image, 0, sizeof image);
+  image.version = PNG_IMAGE_VERSION;
+  if (png_image_begin_read_from_file(&image, path.c_str()) == 0) {
+    return {};
+  }
+  Picture picture;
+  picture.width = static_cast<int>(image.width);
+  picture.height = static_cast<int>(image.height);
+  picture.has_alpha = (image.format & PNG_FORMAT_FLAG_ALPHA) != 0;
+  image.format = picture.has_alpha ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
+  picture.pixels.resize(PNG_IMAGE_SIZE(image));
+  if (png_image_finish_read(&image, nullptr, picture.pixels.data(), 0, nullptr) == 0) {
+    return {};
+  }
+  return picture;
+}
+
+TEST(PicturesTest, GeneratorDrawsTheCommittedPixels) {
+  for (const NamedPicture& named : Pictures()) {
+    SCOPED_TRACE(named.path);
+    Picture drawn = named.make();
+    Picture committed = ReadPng(PathOf(named));
+    ASSERT_EQ(drawn.width, committed.width);
+    ASSERT_EQ(drawn.height, committed.height);
+    ASSERT_EQ(drawn.has_alpha, committed.has_alpha);
+    EXPECT_TRUE(drawn.pixels == committed.pixels);
+  }
+}
+
+TEST(PicturesTest, FilesAreSmall) {
+  for (const NamedPicture& named : Pictures()) {
+    EXPECT_LT(std::filesystem::file_size(PathOf(named)), 300u * 1024u) << named.path;
+  }
+}
+
+// The step from the last row or column to the first is like the steps inside.
+TEST(PicturesTest, MortarAndWoodRepeatWithoutASeam) {
+  for (const char* name : {"brick_wall/mortar.png", "painted_wood/wood.png"}) {
+    SCOPED_TRACE(name);
+    Picture picture = ReadPng(std::string(TEXGRAPH_SOURCE_DIR) + "/graphs/" + name);
+    ASSERT_FALSE(picture.has_alpha);
+    auto at = [&](int x, int y) {
+      return static_cast<double>(
+          picture.pixels[3 * (static_cast<size_t>(y % picture.height) * picture.width +
+                              x % picture.width)]);
+    };
+    double inside_x = 0, inside_y = 0, border_x = 0, border_y = 0;
+    for (int y = 0; y < picture.height; ++y) {
+      for (int x = 0; x < picture.width; ++x) {
+        double step_x = std::abs(at(x + 1, y) - at(x, y));
+        double step_y = std::abs(at(x, y + 1) - at(x, y));
+        (x + 1 == picture.width ? border_x : inside_x) += step_x;
+        (y + 1 == picture.height ? border_y : inside_y) += step_y;
+      }
+    }
+    inside_x /= picture.height * (picture.width - 1.0);
+    inside_y /= picture.width * (picture.height - 1.0);
+    EXPECT_LT(border_x / picture.height, 1.25 * inside_x);
+    EXPECT_LT(border_y / picture.width, 1.25 * inside_y);
+  }
+}
+
+// A picture with alpha ends before its border does, so that nothing is cut off or repeated.
+TEST(PicturesTest, BordersOfLayersAreTransparent) {
+  for (const NamedPicture& named : Pictures()) {
+    Picture picture = ReadPng(PathOf(named));
+    if (!picture.has_alpha) {
+      continue;
+    }
+    int opaque = 0;
+    auto alpha = [&](int x, int y) {
+      return picture.pixels[4 * (static_cast<size_t>(y) * picture.width + x) + 3];
+    };
+    for (int x = 0; x < picture.width; ++x) {
+      opaque += alpha(x, 0) > 0 || alpha(x, picture.height - 1) > 0;
+    }
+    for (int y = 0; y < picture.height; ++y) {
+      opaque += alpha(0, y) > 0 || alpha(picture.width - 1, y) > 0;
+    }
+    EXPECT_EQ(opaque, 0) << named.path;
+  }
+}
+
+}  // namespace
+}  // namespace texgraph::pictures
