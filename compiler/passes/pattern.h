@@ -2,13 +2,12 @@
 // The small language of the algebraic rules (rules_*.def) and of the derivative column of
 // ir/ops.def: "(add (mul d0 x1) (mul x0 d1))".
 //
-//   (op p...)          an operation of ops.def. A suffix gives the scalar of its result, for
-//   conversions: (convert.float a) a b c d e f        variables of the rules. A variable that
-//   occurs twice stands for one and the same value x0..x3 d0..d3 r    operands, their derivatives
-//   and the result, in derivative rules a.int              a variable whose scalar is int; also
-//   .uint, .float, .bool c:const            a variable that must pass a test, see ValueTest 0 1 -1
-//   0.5 1e-8    a literal: in every component of the type that its place needs true false ones
-//   literals of bools, and of integers with every bit set tiny               1e-20
+// - (op p...): an operation of ops.def. A suffix names the scalar of its result: (convert.float a).
+// - a b c d e f: variables of rules. One that occurs twice stands for one and the same value.
+// - x0..x3 d0..d3 r: operands, their derivatives and the result, in derivative rules.
+// - a.int, c:const: a variable whose scalar is int, one that passes a test (see ValueTest); a:unit.
+// - 0 -1 0.5 1e-8: a literal, in every component of the type that its place needs.
+// - true false: literals of bools. ones: an integer with every bit set. tiny: 1e-20.
 //
 // A pattern is parsed once; matching and instantiating allocate nothing and do not recurse.
 // Malformed text aborts: the tables are part of the program.
@@ -25,20 +24,18 @@
 
 namespace texgraph::passes {
 
-// What a variable's value must be known to be. The tests of values look a few operations deep.
+// What a variable's value must be known to be. "Constant" is one that folds: its floats are zero or
+// normal, for a GPU may take a subnormal number for zero.
 enum class ValueTest : uint8_t {
   kAny,
   kConst,       // a constant
-  kNonzero,     // a constant without a zero component
-  kReciprocal,  // a float constant whose reciprocal is exact: plus or minus a power of two, neither
-                // subnormal
+  kReciprocal,  // a float constant whose reciprocal is exact and folds: a power of two, or minus
+                // one
   kPowerOfTwo,  // a uint constant, each component a power of two
-  kNegative,    // a constant with every component below zero
-  kUnitConst,   // a float constant in [0, 1]
-  kUniform,     // a scalar, a splat, or a constant with equal components
-  kNonnegative,  // never below zero; it may be NaN
-  kUnit,         // never outside [0, 1]; it may be NaN
-  kIntegral,     // a float that is a whole number, infinite or NaN
+  kShift,  // an integer constant from 0 to 15: two of them together still shift by less than 32
+  kNonnegative,   // never below zero; it may be NaN
+  kIntegral,      // a float that is a whole number, infinite or NaN
+  kFloatInteger,  // an integer that a float can hold: at most 2^24 from zero
 };
 
 struct PatternNode {
@@ -70,19 +67,18 @@ struct Bindings {
 };
 
 // Whether the operation that is about to be made is an instance of `pattern`. With `signed_zero`,
-// the literal 0 is +0 alone, and -0 is -0 alone. `bindings` must be empty; its contents are
+// the literal 0 is +0 alone and -0 is -0 alone. `bindings` must be empty; its contents are
 // unspecified after a failure.
-bool Match(const Pattern& pattern, ir::Builder& builder, ir::Op op, ir::TypeId type,
+bool Match(const Pattern& pattern, const ir::Builder& builder, ir::Op op, ir::TypeId type,
            std::span<const ir::ValueId> operands, bool signed_zero, Bindings& bindings);
-// Whether `value` is known to pass the test.
-bool Passes(ValueTest test, ir::Builder& builder, ir::ValueId value);
+// Whether `value` is known to pass the test. Tests of values look a few operations deep.
+bool Passes(ValueTest test, const ir::Builder& builder, ir::ValueId value);
 
 // Makes the value that `pattern` stands for, of type `type`: a scalar is splat if that is a vector.
 ir::ValueId Instantiate(const Pattern& pattern, ir::Builder& builder, const Bindings& bindings,
                         ir::TypeId type);
 
-// --- Derivatives
-// -----------------------------------------------------------------------------------------------------
+// --- Derivatives ---------------------------------------------------------------------------------
 
 enum class DerivativeKind : uint8_t {
   kZero,  // "0": the derivative is zero
@@ -92,10 +88,9 @@ enum class DerivativeKind : uint8_t {
 };
 DerivativeKind DerivativeOf(ir::Op op);
 
-// The derivative of r = op(x...) where the derivatives of x are `d`, in r's type; an invalid id in
-// `d` (or a missing one) is a derivative of zero, and no value is made for what it vanishes from.
-// nullopt: the derivative is zero. `op` is of kind kRule or kZero. The x that a rule does not name
-// may be invalid.
+// The derivative of r = op(x...) in r's type, where the derivatives of x are `d`: an invalid or
+// missing one is zero, and no value is made for what it vanishes from. nullopt: the derivative is
+// zero. `op` is of kind kRule or kZero; the x that a rule does not name may be invalid.
 std::optional<ir::ValueId> InstantiateDerivative(ir::Op op, ir::Builder& builder,
                                                  std::span<const ir::ValueId> x,
                                                  std::span<const ir::ValueId> d, ir::ValueId r);
