@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "compiler/base/diagnostics.h"
@@ -27,9 +28,19 @@ struct CompileOptions {
   // Print the IR after each of these phases into Compiled::dump: "build", "specialize", "simplify", "differentiate",
   // "legalize", or "all".
   std::vector<std::string> dump_after;
+  // For the manifest: the folder that it goes to ("" is the current one), to which the paths of textures are made relative, and
+  // the shader's path from there; "" is the graph's name with ShaderExtension().
+  std::string manifest_folder;
+  std::string shader_name;
 };
 
+// ".frag", ".glsl" or ".spv".
+constexpr std::string_view ShaderExtension(Target target, Emit emit) {
+  return target == Target::kSpirv ? ".spv" : emit == Emit::kFunction ? ".glsl" : ".frag";
+}
+
 struct Compiled {
+  std::string name;              // the graph's, an identifier
   std::string glsl;              // also for kSpirv: what was given to glslang
   std::vector<uint32_t> spirv;   // kSpirv only
   std::string manifest;          // JSON, see docs/manifest.schema.json

@@ -61,4 +61,16 @@ void Diagnostics::Append(Diagnostics other) {
   warning_count_ = warnings;
 }
 
+void Diagnostics::DropWarnings() {
+  std::erase_if(all_, [](const Diagnostic& d) { return d.severity == Severity::kWarning; });
+  warning_count_ = 0;
+}
+
+void Diagnostics::PromoteWarnings() {
+  for (Diagnostic& diagnostic : all_) diagnostic.severity = Severity::kError;
+  if (!all_.empty()) first_error_ = all_.front().kind;
+  error_count_ += warning_count_;
+  warning_count_ = 0;
+}
+
 }  // namespace texgraph

@@ -78,6 +78,8 @@ class Diagnostics {
   // The class of the first error, kOk if there is none.
   ExitCode exit_code() const;
   void Append(Diagnostics other);
+  void DropWarnings();     // -w
+  void PromoteWarnings();  // -Werror: each becomes an error in its place
 
  private:
   Diagnostic& Add(Diagnostic diagnostic);

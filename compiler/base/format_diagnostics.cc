@@ -113,9 +113,9 @@ void AppendOne(std::string& out, const Sources& sources, SourceRange range, std:
   AppendSnippet(out, place.line, line, in_line, std::min(in_line + length, line.size()), colors);
 }
 
-void AppendLeftOut(std::string& out, size_t count, size_t limit, std::string_view what) {
-  if (count <= limit) return;
-  size_t more = count - limit;
+void AppendLeftOut(std::string& out, size_t count, size_t shown, std::string_view what) {
+  if (count <= shown) return;
+  size_t more = count - shown;
   fmt::format_to(std::back_inserter(out), "{} more {}{} not shown\n", more, what,
                  more == 1 ? "" : "s");
 }
@@ -125,8 +125,10 @@ void AppendLeftOut(std::string& out, size_t count, size_t limit, std::string_vie
 std::string FormatDiagnostics(const Diagnostics& diagnostics, const Sources& sources, bool color) {
   const Colors& colors = color ? kColored : kPlain;
   std::string out;
+  size_t errors = 0;
   for (const Diagnostic& diagnostic : diagnostics.all()) {
     bool error = diagnostic.severity == Severity::kError;
+    errors += error;
     AppendOne(out, sources, diagnostic.range, error ? "error" : "warning",
               error ? colors.error : colors.warning, diagnostic.message,
               DiagnosticName(diagnostic.kind), colors);
@@ -134,8 +136,8 @@ std::string FormatDiagnostics(const Diagnostics& diagnostics, const Sources& sou
       AppendOne(out, sources, note.range, "note", colors.note, note.message, "", colors);
     }
   }
-  AppendLeftOut(out, diagnostics.error_count(), Diagnostics::kMaxErrors, "error");
-  AppendLeftOut(out, diagnostics.warning_count(), Diagnostics::kMaxWarnings, "warning");
+  AppendLeftOut(out, diagnostics.error_count(), errors, "error");
+  AppendLeftOut(out, diagnostics.warning_count(), diagnostics.all().size() - errors, "warning");
   return out;
 }
 

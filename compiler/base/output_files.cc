@@ -27,12 +27,7 @@ std::atomic<int> renaming{0};        // threads that are between their first and
 std::atomic<int> pending_signal{0};  // arrived meanwhile
 static_assert(std::atomic<char*>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
-void EndBySignal(int signal_number) {
-  for (std::atomic<char*>& slot : temporaries) {
-    if (char* path = slot.load()) unlink(path);
-  }
-  _exit(128 + signal_number);
-}
+void EndBySignal(int signal_number) { EndProcess(128 + signal_number); }
 
 void OnSignal(int signal_number) {
   pending_signal.store(signal_number);
@@ -239,6 +234,13 @@ bool OutputFiles::Commit(Diagnostics& diagnostics) {
     step.state == Step::State::kExchanged ? step.temporary.Remove() : step.temporary.Forget();
   }
   return true;
+}
+
+void EndProcess(int exit_code) {
+  for (std::atomic<char*>& slot : temporaries) {
+    if (char* path = slot.load()) unlink(path);
+  }
+  _exit(exit_code);
 }
 
 int WriteAll(int descriptor, std::string_view bytes) {

@@ -41,6 +41,10 @@ class OutputFiles {
 // Writes all of `bytes` to an open descriptor; returns 0 or the error number.
 int WriteAll(int descriptor, std::string_view bytes);
 
+// Ends the program at once, the temporary files removed; for failures that cannot be reported
+// through Diagnostics.
+[[noreturn]] void EndProcess(int exit_code);
+
 // For the first lines of main(). Descriptors 0 to 2 that are closed are filled, so that no file is
 // opened in their place; writing to them still fails. A closed pipe and a reached file-size limit
 // become write errors. SIGINT, SIGTERM and SIGHUP remove the temporary files and end the program

@@ -68,6 +68,29 @@ TEST(Diagnostics, AppendKeepsOrderCountsAndTheFirstError) {
   EXPECT_EQ(first.exit_code(), ExitCode::kIo);
 }
 
+TEST(Diagnostics, WarningsAreDroppedOrBecomeErrors) {
+  auto make = [] {
+    Diagnostics diagnostics;
+    for (int i = 0; i < 60; ++i) {
+      diagnostics.Warn(DiagnosticKind::kCannotRead, {}, "w");
+      diagnostics.Error(DiagnosticKind::kSyntax, {}, "e");
+    }
+    return diagnostics;
+  };
+  Diagnostics dropped = make();
+  dropped.DropWarnings();
+  EXPECT_EQ(dropped.all().size(), 60u);
+  EXPECT_EQ(dropped.warning_count(), 0u);
+  EXPECT_EQ(dropped.exit_code(), ExitCode::kInvalid);
+  Diagnostics promoted = make();
+  promoted.PromoteWarnings();
+  EXPECT_EQ(promoted.error_count(), 120u);
+  EXPECT_EQ(promoted.exit_code(), ExitCode::kIo);
+  std::string text = FormatDiagnostics(promoted, Sources(), false);
+  EXPECT_THAT(text, Not(HasSubstr("warning")));
+  EXPECT_THAT(text, Not(HasSubstr("not shown")));
+}
+
 TEST(FormatDiagnostics, PlaceLineCaretsAndNote) {
   Sources sources;
   SourceId graph =
