@@ -17,6 +17,7 @@ const int FIT_COVER = 2;
 /// @param scale least and greatest size, in tiles; above 0 @default vec2(1)
 /// @param rotation least and greatest angle, counter-clockwise @default vec2(0) @unit degrees
 /// @param opacity least and greatest opacity @default vec2(1) @range 0 1
+/// @param chance the share of the tiles in which the image is drawn @default 1 @range 0 1
 /// @param tint what the image's colour is multiplied by @default vec3(1)
 /// @param fit the shape at scale 1: stretch, that of the tile; contain, the largest square that fits in; cover, the smallest
 ///   square that covers the tile @default FIT_STRETCH
@@ -39,7 +40,7 @@ float coverage(vec2 q, vec2 cell_in_q, vec2 local) {
 }
 
 void layer(Tile tile, vec2 position_min, vec2 position_max, vec2 scale, vec2 rotation, vec2 opacity,
-           vec3 tint, const int fit, int stream, out vec4 color, out Tile inner) {
+           float chance, vec3 tint, const int fit, int stream, out vec4 color, out Tile inner) {
   uint seed = hash(tile.seed + uint(stream));
   vec2 turn = random2(seed, -2);
   float size = mix(scale.x, scale.y, turn.x);
@@ -56,5 +57,9 @@ void layer(Tile tile, vec2 position_min, vec2 position_max, vec2 scale, vec2 rot
   inner.seed = seed;
   color = image(q);
   color.rgb *= tint;
-  color.a *= mix(opacity.x, opacity.y, random(seed, -3)) * coverage(q, along / size, tile.local);
+  vec2 luck = random2(seed, -3);
+  if (chance < 1.0 && luck.y >= chance) {
+    color.a = 0.0;
+  }
+  color.a *= mix(opacity.x, opacity.y, luck.x) * coverage(q, along / size, tile.local);
 }

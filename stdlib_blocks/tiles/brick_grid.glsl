@@ -11,7 +11,7 @@
 /// @param row_jitter how far each row is moved to the left at random, up to that many bricks @default 0 @range 0 1
 /// @param seed another seed gives other random bits @default 0
 /// @param toroidal whether the bricks repeat with each unit of the coordinate, for a texture without a border; with an odd
-///   number of rows, the last and the first are not offset from each other @default false
+///   number of rows the last and the first are not offset from each other @default false
 /// @param tile the brick
 void brick_grid(vec2 uv, int rows, int columns, float row_offset, float row_jitter, int seed,
                 const bool toroidal, out Tile tile) {
