@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A JSON, JSONC or YAML document as one tree, each node with its range in the source. Neither format's library types escape.
+// A JSON, JSONC or YAML document as one tree, each node with its range in the source. Neither
+// format's library types escape.
 #pragma once
 
 #include <cstdint>
@@ -21,12 +22,12 @@ enum class DocumentFormat : uint8_t { kJson, kJsonc, kYaml };
 struct DocumentNode {
   DocumentKind kind = DocumentKind::kNull;
   bool boolean = false;
-  bool is_integer = false;      // kNumber: written without '.' and exponent, and fits int64
+  bool is_integer = false;  // kNumber: written without '.' and exponent, and fits int64
   int64_t integer = 0;
-  double number = 0;            // kNumber, always set
-  std::string_view text;        // kString: decoded UTF-8
-  SourceRange range;            // strings with their quotes
-  std::string_view key;         // in an object
+  double number = 0;      // kNumber, always set
+  std::string_view text;  // kString: decoded UTF-8
+  SourceRange range;      // strings with their quotes
+  std::string_view key;   // in an object
   SourceRange key_range;
   // kArray, kObject: the children, in order.
   uint32_t first_child = UINT32_MAX;  // index into Document::nodes
@@ -36,6 +37,7 @@ struct DocumentNode {
 
 // Limits on documents from strangers; reaching one is kNestingLimit, kAliasLimit or kSizeLimit.
 inline constexpr size_t kMaxDocumentBytes = 256u << 20;
+inline constexpr size_t kMaxDocumentNodes = 12'000'000;  // values; a graph node takes about eight
 inline constexpr int kMaxNesting = 64;
 inline constexpr size_t kMaxAliasNodes = 100'000;  // nodes made by expanding YAML aliases
 
@@ -73,10 +75,12 @@ inline Document::Children Document::children(const DocumentNode& node) const {
   return {this, node.first_child};
 }
 
-// By the name's extension: .json, .jsonc, .yaml, .yml; anything else (standard input, say) by its first character.
+// By the name's extension: .json, .jsonc, .yaml, .yml; anything else (standard input, say) by its
+// first character.
 DocumentFormat FormatOf(std::string_view file_name, std::string_view text);
 
-// Reads the whole document. Nothing on a syntax error, which is reported; duplicate keys are reported with both places.
+// Reads the whole document. Nothing on a syntax error, which is reported; duplicate keys are
+// reported with both places.
 std::optional<Document> ReadDocument(SourceId source, DocumentFormat format, const Sources& sources,
                                      Diagnostics& diagnostics);
 
