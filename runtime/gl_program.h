@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// A fragment shader made ready to draw: linked to the vertex shader that gives it its inputs, with
+// its uniforms set.
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "runtime/gl_context.h"
+#include "runtime/render.h"
+
+namespace texgraph::runtime {
+
+// The vertex attribute that holds the uv window of the tile: u0, v0, u1, v1.
+inline constexpr GLuint kWindowAttribute = 1;
+
+// One triangle that covers the viewport. Its outputs are the manifest's inputs, at their locations.
+std::string VertexShader(const Manifest& manifest);
+
+// The program, or 0 with the driver's words in `log` and what failed in `what`.
+GLuint LinkProgram(const GlContext& context, const RenderRequest& request, std::string& what,
+                   std::string& log);
+// Of the program in use.
+void SetUniforms(const GlFunctions& gl, GLuint program, const RenderRequest& request);
+
+}  // namespace texgraph::runtime

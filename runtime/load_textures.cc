@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/base/files.h"
+#include "runtime/render.h"
+
+namespace texgraph::runtime {
+
+bool LoadTextures(const Manifest& manifest, const std::string& folder,
+                  std::vector<TextureBinding>& textures, Diagnostics& diagnostics) {
+  bool all = true;
+  for (const ManifestTexture& texture : manifest.textures) {
+    if (!texture.is_used) continue;
+    std::vector<textures::Image> layers;
+    for (const std::string& file : texture.files) {
+      auto image = textures::ReadImage(JoinPath(folder, file), texture.place, diagnostics);
+      if (image) layers.push_back(std::move(*image));
+    }
+    if (layers.size() != texture.files.size()) {
+      all = false;
+      continue;
+    }
+    auto data =
+        textures::MakeTexture(layers, texture.options, texture.name, texture.place, diagnostics);
+    if (data) {
+      textures.push_back({texture.name, std::make_shared<textures::TextureData>(std::move(*data))});
+    } else {
+      all = false;
+    }
+  }
+  return all;
+}
+
+}  // namespace texgraph::runtime
