@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <climits>
 #include <cstring>
+#include <vector>
 
 namespace texgraph {
 namespace {
@@ -66,6 +68,22 @@ std::optional<std::string> ReadDescriptor(int fd, size_t limit, size_t expected,
   return std::nullopt;
 }
 
+// The names on the way from the root; ".." beyond it stays there.
+std::vector<std::string_view> Parts(std::string_view absolute) {
+  std::vector<std::string_view> parts;
+  while (!absolute.empty()) {
+    size_t slash = std::min(absolute.find('/'), absolute.size());
+    std::string_view part = absolute.substr(0, slash);
+    if (part == "..") {
+      if (!parts.empty()) parts.pop_back();
+    } else if (!part.empty() && part != ".") {
+      parts.push_back(part);
+    }
+    absolute.remove_prefix(std::min(slash + 1, absolute.size()));
+  }
+  return parts;
+}
+
 std::string Quoted(std::string_view path) { return fmt::format("'{}'", Printable(path)); }
 
 }  // namespace
@@ -119,6 +137,30 @@ std::string_view FileNameOf(std::string_view path) { return path.substr(path.rfi
 std::string JoinPath(std::string_view folder, std::string_view name) {
   if (folder.empty() || name.starts_with('/')) return std::string(name);
   return fmt::format("{}{}{}", folder, folder.ends_with('/') ? "" : "/", name);
+}
+
+std::string AbsolutePath(std::string_view path) {
+  std::string full(path);
+  if (!path.starts_with('/')) {
+    char buffer[PATH_MAX];
+    const char* here = getcwd(buffer, sizeof buffer);
+    full = fmt::format("{}/{}", here != nullptr ? here : "", path);
+  }
+  std::string out;
+  for (std::string_view part : Parts(full)) out.append("/").append(part);
+  return out.empty() ? "/" : out;
+}
+
+std::string RelativePath(std::string_view path, std::string_view folder) {
+  std::string absolute_path = AbsolutePath(path), absolute_folder = AbsolutePath(folder);
+  std::vector<std::string_view> to = Parts(absolute_path), from = Parts(absolute_folder);
+  size_t common = 0;
+  while (common < std::min(to.size(), from.size()) && to[common] == from[common]) ++common;
+  std::string out;
+  auto append = [&](std::string_view part) { out.append(out.empty() ? "" : "/").append(part); };
+  for (size_t i = common; i < from.size(); ++i) append("..");
+  for (size_t i = common; i < to.size(); ++i) append(to[i]);
+  return out.empty() ? "." : out;
 }
 
 std::string ErrorText(int error_number) {

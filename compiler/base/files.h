@@ -29,6 +29,13 @@ std::string_view FileNameOf(std::string_view path);
 // `name` in `folder`: joined by a slash, or `name` alone if it is absolute or the folder is "".
 std::string JoinPath(std::string_view folder, std::string_view name);
 
+// From the root, without ".", ".." and double slashes; as text alone, links are not followed. "" is
+// the current folder.
+std::string AbsolutePath(std::string_view path);
+// How `path` is written from `folder`, also as text alone: "../images/a.png", "." for the folder
+// itself.
+std::string RelativePath(std::string_view path, std::string_view folder);
+
 // "no such file or directory": lower case, the same in every locale.
 std::string ErrorText(int error_number);
 

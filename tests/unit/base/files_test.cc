@@ -141,6 +141,28 @@ TEST(Paths, SameFile) {
   EXPECT_FALSE(SameFile(folder / "none", folder / "none"));
 }
 
+TEST(Paths, AbsoluteAndRelative) {
+  std::string here = std::filesystem::current_path();
+  EXPECT_EQ(AbsolutePath("/a/./b//../c/"), "/a/c");
+  EXPECT_EQ(AbsolutePath("/../.."), "/");
+  EXPECT_EQ(AbsolutePath(""), here);
+  EXPECT_EQ(AbsolutePath("x/../y"), here + "/y");
+  EXPECT_EQ(RelativePath("/a/b/c.png", "/a/b"), "c.png");
+  EXPECT_EQ(RelativePath("/a/b/c.png", "/a/x/y"), "../../b/c.png");
+  EXPECT_EQ(RelativePath("a/c.png", ""), "a/c.png");
+  EXPECT_EQ(RelativePath("c.png", "out"), "../c.png");
+  EXPECT_EQ(RelativePath("a/", "a"), ".");
+  EXPECT_EQ(RelativePath("/a", "/"), "a");
+  // The library of the standard agrees.
+  for (const char* path : {"a/b", "../x", "/usr/lib", "a/../../q"}) {
+    for (const char* folder : {".", "a", "../z/w", "/usr"}) {
+      auto normal = [](const char* p) { return std::filesystem::absolute(p).lexically_normal(); };
+      EXPECT_EQ(RelativePath(path, folder), normal(path).lexically_relative(normal(folder)))
+          << path << folder;
+    }
+  }
+}
+
 TEST(ErrorText, LowerCaseWithoutLocale) {
   EXPECT_EQ(ErrorText(ENOENT), "no such file or directory");
   EXPECT_EQ(ErrorText(123456), "error 123456");
