@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// The manifest: a JSON file beside the shader that says all that an engine needs to bind it:
+// inputs, outputs, every parameter and every texture of the graph, those too that the shader does
+// not contain any more. docs/manifest.md describes it, docs/manifest.schema.json is its schema. The
+// text depends on the arguments alone.
+#pragma once
+
+#include <string>
+
+#include "compiler/compile.h"
+#include "compiler/graph/checked_graph.h"
+#include "compiler/ir/module.h"
+
+namespace texgraph::manifest {
+
+// `module` is the one that is printed as the shader. The graph's file names are relative to
+// `graph_folder`.
+std::string PrintManifest(const graph::CheckedGraph& graph, const ir::Module& module,
+                          const CompileOptions& options, const std::string& graph_folder);
+
+}  // namespace texgraph::manifest
