@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,6 +15,9 @@
 #include "compiler/graph/document.h"
 
 namespace texgraph {
+namespace blocks { class Library; }
+namespace graph { struct CheckedGraph; struct Graph; }
+namespace ir { class Module; }
 
 enum class Target : uint8_t { kGlsl330, kGlsl450, kSpirv };
 // kShader: a whole fragment shader. kFunction: a GLSL function to paste into somebody's own.
@@ -47,6 +51,20 @@ struct Compiled {
   std::string dump;
   std::vector<std::string> dependencies;  // paths of the files that were read, beside the graph itself
 };
+
+// A graph as a module after all passes: what the printer prints, and what the tests evaluate.
+struct Lowered {
+  Lowered();
+  Lowered(Lowered&&);
+  ~Lowered();
+  std::unique_ptr<ir::Module> module;
+  std::unique_ptr<graph::Graph> graph;
+  std::unique_ptr<blocks::Library> library;
+  std::unique_ptr<graph::CheckedGraph> checked;
+  std::string dump;
+};
+std::optional<Lowered> Lower(SourceId source, graph::DocumentFormat format, const CompileOptions& options,
+                             Sources& sources, Diagnostics& diagnostics);
 
 // Nothing if the graph is wrong, with every mistake in `diagnostics`. `source` is the graph's text; image paths in it are
 // relative to its folder.

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/compile.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "compiler/base/files.h"
+#include "compiler/blocks/block.h"
+#include "compiler/glsl/legalize.h"
+#include "compiler/glsl/print_glsl.h"
+#include "compiler/ir/print.h"
+#include "compiler/manifest/manifest.h"
+#include "compiler/passes/passes.h"
+#include "compiler/spirv/compile_spirv.h"
+#include "compiler/textures/image.h"
+
+namespace texgraph {
+namespace {
+
+// Every file of every texture must be an image that can be read, and the layers of one array equally large.
+void CheckTextures(const graph::Graph& graph, const std::string& folder, Diagnostics& diagnostics) {
+  for (const graph::Texture& texture : graph.textures) {
+    std::optional<textures::ImageInfo> first;
+    for (size_t i = 0; i < texture.files.size(); ++i) {
+      auto info = textures::ProbeImage(JoinPath(folder, texture.files[i]), texture.file_ranges[i], diagnostics);
+      if (!info) continue;
+      if (!first) first = info;
+      if (info->width == first->width && info->height == first->height) continue;
+      diagnostics.Error(DiagnosticKind::kBadImage, texture.file_ranges[i],
+                        fmt::format("the layers of an array must be equally large; the first is {} x {}, this one {} x {}",
+                                    first->width, first->height, info->width, info->height));
+    }
+  }
+}
+
+std::vector<std::string> Dependencies(const Lowered& lowered, const std::string& folder) {
+  std::vector<std::string> paths = lowered.library->FilesRead();
+  for (const graph::Texture& texture : lowered.graph->textures) {
+    for (std::string_view file : texture.files) paths.push_back(JoinPath(folder, file));
+  }
+  std::ranges::sort(paths);
+  paths.erase(std::ranges::unique(paths).begin(), paths.end());
+  return paths;
+}
+
+glsl::Dialect DialectOf(Target target) {
+  return target == Target::kGlsl330 ? glsl::Dialect::k330 : glsl::Dialect::k450;
+}
+
+// Appends the module's text to the dump if it was asked for.
+class Dumper {
+ public:
+  Dumper(const CompileOptions& options, const ir::Module& module, std::string& text)
+      : options_(options), module_(module), text_(text) {}
+  void After(std::string_view phase) {
+    bool wanted = std::ranges::any_of(options_.dump_after, [&](const std::string& name) {
+      return name == phase || name == "all";
+    });
+    if (wanted) text_ += fmt::format("// after {}\n{}\n", phase, ir::Print(module_));
+  }
+
+ private:
+  const CompileOptions& options_;
+  const ir::Module& module_;
+  std::string& text_;
+};
+
+}  // namespace
+
+Lowered::Lowered() : module(std::make_unique<ir::Module>()) {}
+Lowered::Lowered(Lowered&&) = default;
+Lowered::~Lowered() = default;
+
+std::optional<Lowered> Lower(SourceId source, graph::DocumentFormat format, const CompileOptions& options,
+                             Sources& sources, Diagnostics& diagnostics) {
+  Lowered lowered;
+  ir::Module& module = *lowered.module;
+  Dumper dump(options, module, lowered.dump);
+  std::vector<graph::Setting> settings = graph::ReadSettings(options.settings, sources, diagnostics);
+  auto read = graph::ReadGraph(source, format, sources, diagnostics);
+  if (!read) return std::nullopt;
+  lowered.graph = std::make_unique<graph::Graph>(std::move(*read));
+  lowered.library = std::make_unique<blocks::Library>(module, sources, diagnostics, options.block_folders,
+                                                      options.optimize);
+  auto checked = graph::CheckGraph(*lowered.graph, settings, *lowered.library, module, diagnostics);
+  CheckTextures(*lowered.graph, std::string(FolderOf(sources.Name(source))), diagnostics);
+  if (!checked || diagnostics.HasErrors()) return std::nullopt;
+  lowered.checked = std::make_unique<graph::CheckedGraph>(std::move(*checked));
+
+  if (!passes::BuildModule(*lowered.checked, *lowered.library, module, options.optimize, diagnostics)) {
+    return std::nullopt;
+  }
+  dump.After("build");
+  if (!passes::Specialize(module, options.optimize, lowered.graph->range, diagnostics)) return std::nullopt;
+  dump.After("specialize");
+  if (options.optimize) passes::Simplify(module);
+  dump.After("simplify");
+  passes::Differentiate(module, options.optimize);
+  if (options.optimize) passes::Simplify(module);
+  dump.After("differentiate");
+  if (!glsl::Legalize(module, DialectOf(options.target), diagnostics)) return std::nullopt;
+  dump.After("legalize");
+  return lowered;
+}
+
+std::optional<Compiled> Compile(SourceId source, graph::DocumentFormat format, const CompileOptions& options,
+                                Sources& sources, Diagnostics& diagnostics) {
+  std::optional<Lowered> lowered = Lower(source, format, options, sources, diagnostics);
+  if (!lowered) return std::nullopt;
+  Compiled compiled;
+  compiled.name = lowered->graph->name;
+  compiled.dump = std::move(lowered->dump);
+  glsl::PrintOptions print;
+  print.dialect = DialectOf(options.target);
+  print.as_function = options.emit == Emit::kFunction;
+  print.name = compiled.name;
+  print.version = TEXGRAPH_VERSION;
+  compiled.glsl = glsl::PrintGlsl(*lowered->module, print);
+  if (options.target == Target::kSpirv) {
+    auto words = spirv::CompileSpirv(compiled.glsl, diagnostics);
+    if (!words) return std::nullopt;
+    compiled.spirv = std::move(*words);
+  }
+  const std::string folder(FolderOf(sources.Name(source)));
+  compiled.dependencies = Dependencies(*lowered, folder);
+  compiled.manifest = manifest::PrintManifest(*lowered->checked, *lowered->module, options, folder);
+  return compiled;
+}
+
+}  // namespace texgraph
