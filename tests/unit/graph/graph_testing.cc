@@ -75,6 +75,10 @@ ReadText::ReadText(std::string text, DocumentFormat format, std::string name)
     : source(sources.Add(std::move(name), std::move(text))),
       document(ReadDocument(source, format, sources, diagnostics)) {}
 
+ReadGraphText::ReadGraphText(std::string text, DocumentFormat format, std::string name)
+    : source(sources.Add(std::move(name), std::move(text))),
+      graph(ReadGraph(source, format, sources, diagnostics)) {}
+
 std::string TreeText(const Document& document) {
   std::string out;
   AppendTree(document, document.nodes.at(0), out);

@@ -32,6 +32,19 @@ struct ReadText {
   std::optional<Document> document;
 };
 
+// The same for whole graphs.
+struct ReadGraphText {
+  explicit ReadGraphText(std::string text, DocumentFormat format = DocumentFormat::kJson,
+                         std::string name = "graph.json");
+  std::vector<std::string> Places() const { return graph::Places(diagnostics, sources); }
+  std::string Messages() const { return graph::Messages(diagnostics); }
+
+  Sources sources;
+  Diagnostics diagnostics;
+  SourceId source;
+  std::optional<Graph> graph;
+};
+
 // A document as text, so that trees can be compared: {"a": [1, 0.5, "x", true, null]}. Integers are
 // written without, other numbers with a '.' or an exponent.
 std::string TreeText(const Document& document);

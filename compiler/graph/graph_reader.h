@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// Turns a document into a graph, object by object; private to ReadGraph. Every object has a list of
+// keys, which is also what docs/graph.schema.json says. A mistake is reported and reading goes on.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <initializer_list>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "compiler/graph/document.h"
+#include "compiler/graph/graph.h"
+
+namespace texgraph::graph {
+
+inline constexpr size_t kMaxNodes = 1'000'000;  // of a graph, those of its functions included
+
+class GraphReader {
+ public:
+  GraphReader(Graph& graph, Diagnostics& diagnostics)
+      : graph_(graph), document_(graph.document), diagnostics_(diagnostics) {}
+
+  void ReadRoot(std::string_view file_name);
+
+ private:
+  // What an object is, for messages: "node" and "grid". Made into text only for a message.
+  struct Owner {
+    std::string_view kind;
+    std::string_view name;
+    std::string Text() const;
+  };
+
+  // The children of `node` with these keys, null where there is none; reports other keys.
+  template <size_t N>
+  std::array<const DocumentNode*, N> Keys(const DocumentNode& node, Owner owner,
+                                          const std::array<std::string_view, N>& keys) {
+    std::array<const DocumentNode*, N> found{};
+    FindKeys(node, owner, keys, found);
+    return found;
+  }
+  void FindKeys(const DocumentNode& node, Owner owner, std::span<const std::string_view> keys,
+                std::span<const DocumentNode*> found);
+  void ReportMissing(const DocumentNode& object, Owner owner, std::string_view key);
+  // Whether a value is there and of the kind; if it is of another, that is reported.
+  bool Is(const DocumentNode* node, DocumentKind kind, Owner owner);
+
+  // These leave `out` as it is if the key is not there.
+  bool ReadText(const DocumentNode* node, Owner owner, std::string_view& out);
+  void ReadBool(const DocumentNode* node, Owner owner, bool& out);
+  template <class T>
+  void ReadWord(const DocumentNode* node, Owner owner,
+                std::initializer_list<std::pair<std::string_view, T>> words, T& out) {
+    std::string_view text;
+    if (!ReadText(node, owner, text)) return;
+    for (const auto& [word, value] : words) {
+      if (word == text) {
+        out = value;
+        return;
+      }
+    }
+    std::vector<std::string_view> names;
+    for (const auto& pair : words) names.push_back(pair.first);
+    ReportWord(*node, owner, names);
+  }
+  void ReportWord(const DocumentNode& node, Owner owner,
+                  const std::vector<std::string_view>& words);
+  void BadValue(const DocumentNode& node, std::string message);
+
+  void ReadVersion(const DocumentNode& root, const DocumentNode* version);
+  void ReadName(const DocumentNode* name, std::string_view file_name);
+  void ReadTextures(const DocumentNode* section);
+  void ReadTexture(const DocumentNode& node);
+  void ReadFiles(const DocumentNode& node, const DocumentNode* file, const DocumentNode* layers,
+                 Texture& texture);
+  void ReadFile(const DocumentNode& node, Owner owner, Texture& texture);
+  void ReadParameters(const DocumentNode* section);
+  void ReadParameter(const DocumentNode& node);
+  void ReadRange(const DocumentNode* node, Owner owner, Parameter& parameter);
+  void ReadFunctions(const DocumentNode* section);
+  void ReadFunction(const DocumentNode& node);
+  void ReadFunctionInput(const DocumentNode& node, Subgraph& function);
+  void ReadNodes(const DocumentNode* section, Owner owner, Subgraph& subgraph);
+  void ReadNode(const DocumentNode& node, Subgraph& subgraph);
+  void ReadOutputs(const DocumentNode* section, Owner owner, bool check_names, Subgraph& subgraph);
+
+  Graph& graph_;
+  const Document& document_;
+  Diagnostics& diagnostics_;
+  size_t node_count_ = 0;
+};
+
+}  // namespace texgraph::graph
