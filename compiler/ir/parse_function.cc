@@ -28,6 +28,7 @@ class FunctionParser {
     TypeId type;
     uint32_t aux = 0;
     std::vector<ValueId> operands;
+    Token mask;  // of a swizzle
   };
 
   bool ParseParameters();
@@ -222,6 +223,10 @@ bool FunctionParser::ParsePlain(Statement& statement) {
   }
   if (!parsed || !reader_.Expect(":")) return false;
   statement.type = reader_.ReadType();
+  const size_t components = statement.mask.text.size();
+  if (reader_.ok() && components > 0 && components != module_.types.Words(statement.type)) {
+    return reader_.Fail(statement.mask.range, "as many components as the result has");
+  }
   return reader_.ok();
 }
 
@@ -233,7 +238,8 @@ bool FunctionParser::ParseExtract(Statement& statement) {
 
 bool FunctionParser::ParseSwizzle(Statement& statement) {
   if (!reader_.Expect(".")) return false;
-  const Token mask = reader_.TakeKind(TokenKind::kIdentifier, "components");
+  statement.mask = reader_.TakeKind(TokenKind::kIdentifier, "components");
+  const Token& mask = statement.mask;
   if (mask.text.size() > 4) return reader_.Fail(mask.range, "more than four components");
   for (size_t i = 0; i < mask.text.size(); ++i) {
     constexpr std::string_view kComponents = "xyzw";

@@ -248,6 +248,8 @@ TEST(Parse, ReportsWhatIsWrongAndWhere) {
   EXPECT_EQ(in_function("  %x = neg %x : vec2"), "2:3: a second value named 'x'");
   EXPECT_EQ(in_function("  %y = neg @z : vec2"), "2:12: no input, uniform or texture 'z'");
   EXPECT_EQ(in_function("  %y = swizzle.xr %x : vec2"), "2:16: components are x, y, z and w");
+  EXPECT_EQ(in_function("  %y = swizzle.xyx %x : vec2"),
+            "2:16: as many components as the result has");
   EXPECT_EQ(in_function("  %y = swizzle.xyxyx %x : vec2"), "2:16: more than four components");
   EXPECT_EQ(in_function("  %y = call g(%x) : vec2"), "2:13: no function 'g' before this one");
   EXPECT_EQ(in_function("  %y = call f(%x, %c) : vec2"), "2:13: no function 'f' before this one");
