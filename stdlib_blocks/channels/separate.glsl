@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The channels of a colour, or the components of a vector, as numbers.
+/// The channels of a colour, as numbers.
 /// @param color the colour
 /// @param r red
 /// @param g green

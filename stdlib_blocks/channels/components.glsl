@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The components of a vector, as numbers.
+/// @param vector the vector
+/// @param x first component
+/// @param y second component
+/// @param z third component
+void components(vec2 vector, out float x, out float y) {
+  x = vector.x;
+  y = vector.y;
+}
+void components(vec3 vector, out float x, out float y, out float z) {
+  x = vector.x;
+  y = vector.y;
+  z = vector.z;
+}
