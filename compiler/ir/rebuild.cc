@@ -160,7 +160,12 @@ void Rebuilder::CopyOne(ValueId old) {
     case Op::kCall: SetResults(old, CopyCall(old)); break;
     case Op::kExtract: {
       auto many = results_.find(from_.Operands(inst)[0]);
-      Set(old, many != results_.end() && many->second.size() > 1 ? many->second[inst.aux] : Copy(old));
+      if (many == results_.end() || many->second.size() == 1) {
+        Set(old, Copy(old));
+        break;
+      }
+      Set(old, many->second[inst.aux]);
+      TookResult(old);
       break;
     }
     default: Set(old, Copy(old)); break;

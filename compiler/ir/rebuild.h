@@ -84,6 +84,8 @@ class Rebuilder {
   virtual std::vector<ValueId> CopyCall(ValueId old);
   virtual std::vector<ValueId> CopyIf(ValueId old);
   virtual std::vector<ValueId> CopyFor(ValueId old);
+  // Called when `old`, which takes one result of a call, an if or a loop, got its copy.
+  virtual void TookResult(ValueId /*old*/) {}
 
   Module& module_;
   const Function& from_;

@@ -71,6 +71,10 @@ class DerivativeRebuilder : public ir::Rebuilder {
   std::vector<ValueId> CopyCall(ValueId old) override;
   std::vector<ValueId> CopyIf(ValueId old) override;
   std::vector<ValueId> CopyFor(ValueId old) override;
+  void TookResult(ValueId old) override {
+    DeriveStructure(old);
+    NameChanges(old);
+  }
 
  private:
   uint32_t LeafCount(ValueId v) { return pass_.leaves().Count(from_[v].type); }

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// Our shader against one that a person wrote for the same picture: both as SPIR-V after spirv-opt -O, and both drawn.
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+
+#include <spirv-tools/optimizer.hpp>
+
+#include "compiler/base/files.h"
+#include "compiler/compile.h"
+#include "compiler/spirv/compile_spirv.h"
+#include "runtime/render.h"
+#include "tests/bench/measure.h"
+
+namespace texgraph::bench {
+namespace {
+
+constexpr uint32_t kSide = 1024;
+constexpr int kRounds = 5, kFrames = 4;
+
+// SPIR-V opcodes by number, so that no header of another version is needed.
+constexpr uint32_t kOpFunction = 54, kOpFunctionEnd = 56, kOpVariable = 59, kOpLabel = 248;
+constexpr uint32_t kOpImageSampleFirst = 87, kOpImageSampleLast = 94, kOpImageFetch = 95;
+
+struct Weight {
+  int instructions = 0;
+  int samples = 0;
+};
+
+std::optional<Weight> WeightOf(const std::vector<uint32_t>& words) {
+  spvtools::Optimizer optimizer(SPV_ENV_OPENGL_4_5);
+  optimizer.RegisterPerformancePasses();
+  std::vector<uint32_t> optimized;
+  if (!optimizer.Run(words.data(), words.size(), &optimized)) return std::nullopt;
+  Weight weight;
+  bool in_function = false;
+  for (size_t at = 5; at < optimized.size(); at += optimized[at] >> 16) {
+    uint32_t op = optimized[at] & 0xffff;
+    if (op == kOpFunction) in_function = true;
+    if (in_function && op != kOpFunction && op != kOpFunctionEnd && op != kOpLabel && op != kOpVariable) {
+      ++weight.instructions;
+    }
+    if ((op >= kOpImageSampleFirst && op <= kOpImageSampleLast) || op == kOpImageFetch) ++weight.samples;
+  }
+  return weight;
+}
+
+double MeanDifference(const textures::Image& a, const textures::Image& b) {
+  double sum = 0;
+  for (size_t i = 0; i < a.pixels.size(); ++i) sum += std::abs(int(a.pixels[i]) - int(b.pixels[i]));
+  return sum / static_cast<double>(a.pixels.size());
+}
+
+// Draws both shaders in turns, so that a machine that slows down slows both.
+void Draw(runtime::RenderRequest request, const std::string shaders[2], ShaderFigures& figures) {
+  request.width = request.height = kSide;
+  request.timed_frames = kFrames;
+  textures::Image pictures[2];
+  figures.frame_ms[0] = figures.frame_ms[1] = 1e9;
+  for (int round = 0; round < kRounds; ++round) {
+    for (int which : {0, 1}) {
+      request.shader = shaders[which];
+      runtime::RenderResult result = runtime::Render(request);
+      if (!result.ok()) {
+        figures.error = result.diagnostics.all().front().message + "\n" + result.driver_log;
+        return;
+      }
+      figures.renderer = result.context;
+      for (double seconds : result.frame_seconds) {
+        figures.frame_ms[which] = std::min(figures.frame_ms[which], 1000 * seconds);
+      }
+      pictures[which] = result.outputs[0].image;
+    }
+  }
+  figures.difference = MeanDifference(pictures[0], pictures[1]);
+}
+
+}  // namespace
+
+ShaderFigures MeasureShader(const std::string& graph_path, const std::string& reference_path) {
+  ShaderFigures figures;
+  Sources sources;
+  Diagnostics diagnostics;
+  auto fail = [&](std::string what) {
+    figures.error = std::move(what) + "\n" + FormatDiagnostics(diagnostics, sources, false);
+    return figures;
+  };
+  auto text = ReadFile(graph_path, 1 << 20, {}, diagnostics);
+  auto reference = ReadFile(reference_path, 1 << 20, {}, diagnostics);
+  if (!text || !reference) return fail("cannot read");
+  SourceId source = sources.Add(graph_path, *text);
+  CompileOptions options;
+  options.target = Target::kSpirv;
+  options.manifest_folder = std::string(FolderOf(graph_path));
+  auto ours = Compile(source, graph::FormatOf(graph_path, *text), options, sources, diagnostics);
+  if (!ours) return fail("the graph does not compile");
+  figures.name = ours->name;
+  auto theirs = spirv::CompileSpirv(*reference, diagnostics);
+  if (!theirs) return fail("the reference does not compile");
+  std::optional<Weight> weights[] = {WeightOf(ours->spirv), WeightOf(*theirs)};
+  for (int i : {0, 1}) {
+    if (!weights[i]) return fail("spirv-opt fails");
+    figures.instructions[i] = weights[i]->instructions;
+    figures.samples[i] = weights[i]->samples;
+  }
+
+  SourceId manifest_source = sources.Add("manifest", ours->manifest);
+  auto document = graph::ReadDocument(manifest_source, graph::DocumentFormat::kJson, sources, diagnostics);
+  if (!document) return fail("the manifest cannot be read");
+  auto manifest = runtime::ReadManifest(*document, diagnostics);
+  if (!manifest) return fail("the manifest cannot be read");
+  manifest->dialect = runtime::ShaderDialect::kGlsl450;
+  runtime::RenderRequest request;
+  request.manifest = *manifest;
+  if (!runtime::LoadTextures(*manifest, options.manifest_folder, request.textures, diagnostics)) {
+    return fail("the pictures cannot be read");
+  }
+  const std::string shaders[] = {ours->glsl, *reference};
+  Draw(request, shaders, figures);
+  return figures;
+}
+
+}  // namespace texgraph::bench
