@@ -16,9 +16,11 @@ namespace texgraph {
 namespace {
 
 // Everything below may run when there is no memory left or inside a signal handler: no allocation.
-[[noreturn]] void End(ExitCode code, std::string_view what, std::string_view name) {
+[[noreturn]] void End(ExitCode code, std::string_view what, std::string_view name,
+                      std::string_view more = {}) {
   for (std::string_view part :
-       {std::string_view("error: "), what, std::string_view(" ["), name, std::string_view("]\n")}) {
+       {std::string_view("error: "), what, std::string_view(more.empty() ? "" : ": "), more,
+        std::string_view(" ["), name, std::string_view("]\n")}) {
     (void)WriteAll(STDERR_FILENO, part);
   }
   EndProcess(static_cast<int>(code));
@@ -27,21 +29,17 @@ namespace {
 void OnNoMemory() { End(ExitCode::kLimit, "out of memory", "out-of-memory"); }
 
 void OnTerminate() {
-  std::string_view what = "internal error: terminate called";
   if (std::exception_ptr exception = std::current_exception()) {
     try {
       std::rethrow_exception(exception);
     } catch (const std::bad_alloc&) {
       OnNoMemory();
     } catch (const std::exception& e) {
-      (void)WriteAll(STDERR_FILENO, e.what());
-      (void)WriteAll(STDERR_FILENO, "\n");
-      what = "internal error: uncaught exception";
+      End(ExitCode::kInternal, "internal error: uncaught exception", "internal", e.what());
     } catch (...) {
-      what = "internal error: uncaught exception";
     }
   }
-  End(ExitCode::kInternal, what, "internal");
+  End(ExitCode::kInternal, "internal error: terminated", "internal");
 }
 
 #if !defined(__SANITIZE_ADDRESS__)
