@@ -28,13 +28,10 @@ struct TestName {
   ValueTest test;
 };
 constexpr TestName kTests[] = {
-    {"const", ValueTest::kConst},
-    {"reciprocal", ValueTest::kReciprocal},
-    {"power_of_two", ValueTest::kPowerOfTwo},
-    {"shift", ValueTest::kShift},
-    {"nonnegative", ValueTest::kNonnegative},
-    {"integral", ValueTest::kIntegral},
-    {"float_integer", ValueTest::kFloatInteger},
+    {"const", ValueTest::kConst},       {"reciprocal", ValueTest::kReciprocal},
+    {"negative", ValueTest::kNegative}, {"power_of_two", ValueTest::kPowerOfTwo},
+    {"shift", ValueTest::kShift},       {"nonnegative", ValueTest::kNonnegative},
+    {"integral", ValueTest::kIntegral}, {"float_integer", ValueTest::kFloatInteger},
 };
 
 const std::unordered_map<std::string_view, Op>& OpNames() {

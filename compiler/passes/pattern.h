@@ -31,6 +31,7 @@ enum class ValueTest : uint8_t {
   kConst,       // a constant
   kReciprocal,  // a float constant whose reciprocal is exact and folds: a power of two, or minus
                 // one
+  kNegative,    // a constant with every component below zero, but none the least int
   kPowerOfTwo,  // a uint constant, each component a power of two
   kShift,  // an integer constant from 0 to 15: two of them together still shift by less than 32
   kNonnegative,   // never below zero; it may be NaN

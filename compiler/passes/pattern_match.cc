@@ -32,6 +32,9 @@ bool WordPasses(ValueTest test, TypeId type, uint32_t word) {
       return std::isnormal(value) && std::isnormal(1.0f / value) &&
              std::fabs(std::frexp(value, &exponent)) == 0.5f;
     }
+    case ValueTest::kNegative:
+      if (ir::IsFloat(type)) return Folds(type, word) && std::bit_cast<float>(word) < 0;
+      return ir::IsInteger(type) && ir::ScalarOf(type) == Scalar::kInt && word > 0x80000000u;
     case ValueTest::kPowerOfTwo:
       return ir::IsInteger(type) && ir::ScalarOf(type) == Scalar::kUint &&
              std::has_single_bit(word);

@@ -153,12 +153,6 @@ TEST_F(PatternTest, ZeroDerivativesVanish) {
   ValueId c = Param("c", ir::kBool), chosen = builder_.Op3(Op::kSelect, c, x, y);
   EXPECT_EQ(Derivative(Op::kSelect, {c, x, y}, {none, dx}, chosen), "(select c dx 0,0)");
   EXPECT_EQ(Derivative(Op::kSelect, {c, x, y}, {}, chosen), "zero");
-  ValueId length = builder_.Op1(Op::kLength, x);
-  EXPECT_EQ(Derivative(Op::kLength, {x}, {dx}, length), "(div (dot x dx) (max (length x) 0))");
-  ValueId unit = builder_.Op1(Op::kNormalize, x);
-  EXPECT_EQ(Derivative(Op::kNormalize, {x}, {dx}, unit),
-            "(div (sub dx (mul (normalize x) (splat (dot (normalize x) dx)))) "
-            "(splat (max (length x) 0)))");
   ValueId m = Param("m", ir::kMat2), dm = Param("dm", ir::kMat2);
   ValueId moved = builder_.Op2(Op::kMatMul, m, x);
   EXPECT_EQ(Derivative(Op::kMatMul, {m, x}, {none, dx}, moved), "(matmul m dx)");
