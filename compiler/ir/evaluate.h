@@ -2,6 +2,10 @@
 // Runs a module on the CPU, many pixels at a time. Pixels lie in quads of 2 x 2, so that hardware derivatives (dfdx, dfdy and the
 // level of implicit samples) are the differences that a GPU takes. It runs any module: before Specialize (fields and template
 // parameters), before Differentiate (dx, dy as quad differences) and after.
+//
+// The sides of an if run where a pixel of a quad takes them, and then for the whole quad, as helper pixels do on a GPU. So what a
+// pixel gets depends on its quad alone, and a difference inside a branch is what it would be in uniform control flow. Implicit
+// samples have one level a quad, from its left bottom pixel's differences.
 #pragma once
 
 #include <cstdint>
@@ -18,12 +22,17 @@ namespace texgraph::ir {
 struct EvaluateInputs {
   uint32_t lanes = 4;                              // a multiple of 4
   std::vector<std::vector<uint32_t>> globals;      // by GlobalId; word w of lane l at [w * lanes + l]; uniforms may hold one lane
-                                                   // (Types::Words words); empty: the default. Textures: empty
-  std::vector<const Texture*> textures;            // by GlobalId; null where the global is no texture
+                                                   // (Types::Words words); empty: the default, or zeros. Textures: empty
+  std::vector<const Texture*> textures;            // by GlobalId; null where the global is no texture. What has no texture samples
+                                                   // as (0, 0, 0, 1)
 };
 
+// Calls nest no deeper; deeper ones end the program with a message.
+inline constexpr uint32_t kMaxCallDepth = 256;
+
 // The results of `function` (module.main as a rule), one vector each, laid out as above. `arguments` are its parameters', none
-// for main.
+// for main; they may hold one lane too. A sampler is the GlobalId of its texture; fields cannot be passed. The module must be well
+// formed (verify.h), and the vectors of the sizes said: anything else ends the program with a message.
 std::vector<std::vector<uint32_t>> Evaluate(const Module& module, FunctionId function,
                                             const EvaluateInputs& inputs,
                                             std::span<const std::vector<uint32_t>> arguments = {});
