@@ -83,18 +83,18 @@ bool Drawing::Upload() {
   shared_.stage = Stage::kUploading;
   GLint units = 0;
   gl_.GetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &units);
-  if (request_.textures.size() > static_cast<size_t>(units)) {
+  if (plan_.samplers.size() > static_cast<size_t>(units)) {
     return Fail(DiagnosticKind::kTargetLimit,
                 fmt::format("the shader has {} textures; the driver takes {}",
-                            request_.textures.size(), units));
+                            plan_.samplers.size(), units));
   }
-  for (const TextureBinding& binding : request_.textures) {
+  for (const PlannedSampler& sampler : plan_.samplers) {
     std::string why_not;
     const auto unit = static_cast<uint32_t>(textures_.size());
-    const GLuint texture = UploadTexture(gl_, unit, *binding.data, why_not);
+    const GLuint texture = UploadTexture(gl_, unit, *sampler.data, why_not);
     if (texture == 0) {
       return Fail(DiagnosticKind::kTargetLimit,
-                  fmt::format("texture '{}' has {}", Printable(binding.name), why_not));
+                  fmt::format("texture '{}' has {}", Printable(sampler.variable), why_not));
     }
     textures_.push_back(texture);
   }
@@ -116,7 +116,7 @@ bool Drawing::Link() {
   gl_.UseProgram(program_);
   SetUniforms(gl_, program_, request_);
   for (size_t unit = 0; unit < textures_.size(); ++unit) {
-    const GLint location = gl_.GetUniformLocation(program_, request_.textures[unit].name.c_str());
+    const GLint location = gl_.GetUniformLocation(program_, plan_.samplers[unit].variable.c_str());
     if (location >= 0) gl_.Uniform1i(location, static_cast<GLint>(unit));
   }
   return CheckError("setting uniforms");

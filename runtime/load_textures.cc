@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <set>
+
 #include "compiler/base/files.h"
 #include "runtime/render.h"
 
@@ -7,8 +9,9 @@ namespace texgraph::runtime {
 bool LoadTextures(const Manifest& manifest, const std::string& folder,
                   std::vector<TextureBinding>& textures, Diagnostics& diagnostics) {
   bool all = true;
+  std::set<std::string_view> variables;
   for (const ManifestTexture& texture : manifest.textures) {
-    if (!texture.is_used) continue;
+    if (!texture.is_used || !variables.insert(texture.variable).second) continue;
     std::vector<textures::Image> layers;
     for (const std::string& file : texture.files) {
       auto image = textures::ReadImage(JoinPath(folder, file), texture.place, diagnostics);
@@ -21,7 +24,8 @@ bool LoadTextures(const Manifest& manifest, const std::string& folder,
     auto data =
         textures::MakeTexture(layers, texture.options, texture.name, texture.place, diagnostics);
     if (data) {
-      textures.push_back({texture.name, std::make_shared<textures::TextureData>(std::move(*data))});
+      textures.push_back(
+          {texture.variable, std::make_shared<textures::TextureData>(std::move(*data))});
     } else {
       all = false;
     }

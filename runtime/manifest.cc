@@ -135,7 +135,7 @@ void Reader::ReadInput(const DocumentNode& node) {
 void Reader::ReadOutput(const DocumentNode& node) {
   ManifestOutput output;
   output.name = Text(node, "name");
-  output.variable = Text(node, "variable");
+  output.variable = Text(node, "variable", !manifest_.is_function);
   output.type = Type(node);
   if (output.type.valid() && (!ir::IsVector(output.type) || !ir::IsFloat(output.type))) {
     Error(node.range, "an output is a float, a vec2, a vec3 or a vec4");
@@ -209,6 +209,7 @@ void Reader::ReadTexture(const DocumentNode& node) {
   texture.name = Text(node, "name");
   texture.options.is_array = Word(node, "type", true, kTypes) == 1;
   texture.is_used = Word(node, "status", false, kStatus) == 0;
+  texture.variable = Text(node, "variable", texture.is_used);
   texture.options.srgb = Word(node, "color_space", true, kSpaces) == 0;
   texture.options.filter =
       Word(node, "filter", false, kFilters) == 0 ? ir::Filter::kLinear : ir::Filter::kNearest;

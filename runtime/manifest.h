@@ -46,6 +46,7 @@ struct ManifestParameter {
 
 struct ManifestTexture {
   std::string name;
+  std::string variable;  // the sampler in the shader; textures that are alike share one
   bool is_used = true;
   std::vector<std::string> files;  // relative to the manifest's folder
   textures::TextureOptions options;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "runtime/shared_result.h"
 
@@ -97,23 +98,26 @@ bool CheckNumbers(const RenderRequest& request, Diagnostics& diagnostics) {
 
 bool CheckManifest(const RenderRequest& request, Diagnostics& diagnostics) {
   const Manifest& manifest = request.manifest;
-  if (manifest.dialect == ShaderDialect::kSpirv || manifest.is_function) {
-    diagnostics.Error(
-        DiagnosticKind::kNotRenderable, {},
-        fmt::format("{} cannot be rendered; make a whole shader in glsl330 or glsl450",
-                    manifest.is_function ? "a function alone" : "a SPIR-V module"));
-    return false;
-  }
-  for (const ManifestTexture& texture : manifest.textures) {
-    if (!texture.is_used) continue;
+  if (manifest.dialect != ShaderDialect::kSpirv && !manifest.is_function) return true;
+  diagnostics.Error(DiagnosticKind::kNotRenderable, {},
+                    fmt::format("{} cannot be rendered; make a whole shader in glsl330 or glsl450",
+                                manifest.is_function ? "a function alone" : "a SPIR-V module"));
+  return false;
+}
+
+bool PlanSamplers(const RenderRequest& request, RenderPlan& plan, Diagnostics& diagnostics) {
+  std::set<std::string_view> variables;
+  for (const ManifestTexture& texture : request.manifest.textures) {
+    if (!texture.is_used || !variables.insert(texture.variable).second) continue;
     const auto bound = std::find_if(
-        request.textures.begin(), request.textures.end(), [&](const TextureBinding& binding) {
-          return binding.name == texture.name && binding.data && !binding.data->levels.empty();
-        });
-    if (bound != request.textures.end()) continue;
-    diagnostics.Error(DiagnosticKind::kNotRenderable, {},
-                      fmt::format("texture '{}' has no image", Printable(texture.name)));
-    return false;
+        request.textures.begin(), request.textures.end(),
+        [&](const TextureBinding& binding) { return binding.variable == texture.variable; });
+    if (bound == request.textures.end() || !bound->data || bound->data->levels.empty()) {
+      diagnostics.Error(DiagnosticKind::kNotRenderable, {},
+                        fmt::format("texture '{}' has no image", Printable(texture.name)));
+      return false;
+    }
+    plan.samplers.push_back({texture.variable, bound->data.get()});
   }
   return true;
 }
@@ -122,7 +126,8 @@ bool CheckManifest(const RenderRequest& request, Diagnostics& diagnostics) {
 
 bool PlanRender(const RenderRequest& request, RenderPlan& plan, Diagnostics& diagnostics) {
   return CheckNumbers(request, diagnostics) && CheckManifest(request, diagnostics) &&
-         PlanOutputs(request, plan, diagnostics) && PlanPixels(request, plan, diagnostics);
+         PlanSamplers(request, plan, diagnostics) && PlanOutputs(request, plan, diagnostics) &&
+         PlanPixels(request, plan, diagnostics);
 }
 
 }  // namespace texgraph::runtime

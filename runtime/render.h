@@ -34,14 +34,14 @@ enum class PixelFormat : uint8_t {
 };
 
 struct TextureBinding {
-  std::string name;
+  std::string variable;  // the sampler in the shader
   std::shared_ptr<const textures::TextureData> data;
 };
 
 struct RenderRequest {
   std::string shader;                    // GLSL of the manifest's dialect
   Manifest manifest;                     // uniforms have the values of its parameters
-  std::vector<TextureBinding> textures;  // one for each texture that the manifest says is used
+  std::vector<TextureBinding> textures;  // one for each sampler that the manifest names
   uint32_t width = 512;
   uint32_t height = 512;
   std::array<double, 4> window = {0, 0, 1, 1};  // u0, v0 (left, bottom), u1, v1 (right, top)

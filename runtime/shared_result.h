@@ -70,9 +70,15 @@ struct PlannedOutput {
   size_t bytes = 0;
 };
 
+struct PlannedSampler {
+  std::string variable;
+  const textures::TextureData* data = nullptr;
+};
+
 struct RenderPlan {
   std::vector<PlannedOutput> outputs;
-  size_t bytes = 0;  // of the pixels
+  std::vector<PlannedSampler> samplers;  // each variable once
+  size_t bytes = 0;                      // of the pixels
 };
 
 // Checks a request without touching a driver. Reported: kSizeLimit, kUsage, kUnknownOutput,

@@ -295,7 +295,7 @@ const Refusal kRefusals[] = {
      [](RenderRequest& r) { r.manifest.dialect = ShaderDialect::kSpirv; }},
     {"NoImage", "not-renderable",
      [](RenderRequest& r) {
-       r.manifest.textures.push_back({"brick", true, {}, {}, {}});
+       r.manifest.textures.push_back({"brick", "brick", true, {}, {}, {}});
      }},
 };
 

@@ -45,6 +45,7 @@ void AddUniform(RenderRequest& request, const std::string& name, ir::TypeId type
 void AddTexture(RenderRequest& request, const std::string& name, textures::TextureData data) {
   runtime::ManifestTexture texture;
   texture.name = name;
+  texture.variable = name;
   request.manifest.textures.push_back(std::move(texture));
   request.textures.push_back({name, std::make_shared<textures::TextureData>(std::move(data))});
 }

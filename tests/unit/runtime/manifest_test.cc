@@ -40,7 +40,7 @@ const char* const kWhole = R"({
     {"name": "spare", "type": "float", "binding": "uniform", "status": "unused", "value": 7},
     {"name": "rows", "type": "int", "binding": "constant", "status": "folded", "value": 12}],
   "textures": [
-    {"name": "brick", "type": "sampler2D", "status": "used", "files": ["a/brick.png"], "color_space": "srgb",
+    {"name": "brick", "type": "sampler2D", "status": "used", "variable": "wall", "files": ["a/brick.png"], "color_space": "srgb",
      "filter": "nearest", "wrap": ["clamp", "mirror"], "mipmaps": false, "max_level": 4},
     {"name": "stains", "type": "sampler2DArray", "status": "unused", "files": ["1.png", "2.png"],
      "color_space": "linear"}]
@@ -75,6 +75,7 @@ TEST(ManifestTest, ReadsEverything) {
   EXPECT_EQ(brick.filter, ir::Filter::kNearest);
   EXPECT_EQ(brick.wrap_u, ir::Wrap::kClamp);
   EXPECT_EQ(brick.wrap_v, ir::Wrap::kMirror);
+  EXPECT_EQ(manifest.textures[0].variable, "wall");
   EXPECT_EQ(manifest.textures[1].files.size(), 2u);
   EXPECT_TRUE(manifest.textures[1].options.is_array);
   EXPECT_FALSE(manifest.textures[1].options.srgb);
