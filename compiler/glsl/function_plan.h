@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// All that is decided about a module's functions before a character is written.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "compiler/glsl/variables.h"
+
+namespace texgraph::glsl {
+
+// Drivers lose track of functions with more variables than this (Mesa crashes at some thousands):
+// from here on variables are used again, whatever their names.
+inline constexpr size_t kManyVariables = 1500;
+
+struct FunctionPlan {
+  FunctionPlan(const ir::Module& module, const ir::Function& function, Uses uses,
+               const std::vector<bool>& implicit);
+
+  Uses uses;
+  bool reuse;
+  Forms forms;
+  Schedule schedule;
+  Variables variables;
+  std::vector<bool> globals;  // by GlobalId: whether the function names it
+
+ private:
+  Forms DecideForms(const ir::Module& module, const ir::Function& function,
+                    const std::vector<bool>& implicit);
+};
+
+// The functions that main reaches, and what they use.
+struct ModulePlan {
+  explicit ModulePlan(const ir::Module& module);
+
+  std::vector<std::unique_ptr<FunctionPlan>>
+      functions;                    // by FunctionId; null if main does not reach it
+  std::vector<bool> globals;        // by GlobalId: whether any function names it
+  std::vector<bool> function_used;  // by FunctionId
+};
+
+}  // namespace texgraph::glsl

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/glsl/legalize.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+#include "compiler/glsl/limits.h"
+#include "compiler/ir/rebuild.h"
+
+namespace texgraph::glsl {
+namespace {
+
+using ir::Builder;
+using ir::FunctionId;
+using ir::GlobalId;
+using ir::Inst;
+using ir::Op;
+using ir::TypeId;
+using ir::ValueId;
+
+bool HasArray(const ir::Types& types, TypeId type) {
+  const ir::Type& t = types[type];
+  if (t.kind == ir::TypeKind::kArray) return true;
+  return t.kind == ir::TypeKind::kStruct &&
+         std::ranges::any_of(t.fields,
+                             [&](const ir::StructField& f) { return HasArray(types, f.type); });
+}
+
+bool IsWide(TypeId type) { return ir::IsVector(type) && !ir::IsScalar(type); }
+
+// Which inputs each function but main names, itself or through what it calls: its further
+// parameters.
+using InputUse = std::vector<std::vector<GlobalId>>;  // by FunctionId, sorted
+
+InputUse FindInputUse(const ir::Module& module) {
+  InputUse use(module.functions.size());
+  for (size_t f = 0; f < module.functions.size(); ++f) {
+    if (FunctionId(f) == module.main) continue;
+    for (const Inst& inst : module.functions[f].insts) {
+      if (inst.op == Op::kGlobal && module.globals[inst.aux].kind == ir::GlobalKind::kInput) {
+        use[f].push_back(GlobalId(inst.aux));
+      } else if (inst.op == Op::kCall) {
+        use[f].insert(use[f].end(), use[inst.aux].begin(), use[inst.aux].end());
+      }
+    }
+    std::ranges::sort(use[f]);
+    use[f].erase(std::ranges::unique(use[f]).begin(), use[f].end());
+  }
+  return use;
+}
+
+// Whether GLSL of the dialect has this operation, as it is.
+bool IsLegal(const ir::Module& module, const ir::Function& function, const Inst& inst,
+             Dialect dialect, const InputUse& inputs) {
+  switch (inst.op) {
+    case Op::kLogicalAnd:
+    case Op::kLogicalOr:
+      return !IsWide(inst.type);
+    case Op::kFma:
+      return dialect == Dialect::k450;
+    case Op::kSelect: {
+      if (HasArray(module.types, inst.type)) return false;
+      bool by_component = IsWide(function[function.Operands(inst)[0]].type);
+      return !by_component || ir::IsFloat(inst.type) || dialect == Dialect::k450;
+    }
+    case Op::kIndex:
+      return false;
+    case Op::kCall:
+      return inputs[inst.aux].empty();
+    default:
+      return true;
+  }
+}
+
+class Legalizer : public ir::Rebuilder {
+ public:
+  Legalizer(ir::Module& module, const ir::Function& from, const ir::Liveness& live, Builder& to,
+            Dialect dialect, const InputUse& inputs)
+      : Rebuilder(module, from, live, to), dialect_(dialect), inputs_(inputs) {
+    for (size_t l = 0; l < from.loops.size(); ++l) {
+      loops_.emplace(from.regions[from.loops[l].body.index].params[0], l);
+    }
+  }
+
+  void AddInputs(const std::vector<GlobalId>& inputs) {
+    for (GlobalId id : inputs) {
+      const ir::Global& global = module_.globals[id.index];
+      parameters_.emplace_back(id, to_.AddParameter({global.name, global.type}));
+    }
+  }
+
+ protected:
+  ValueId Copy(ValueId old) override;
+  std::vector<ValueId> CopyCall(ValueId old) override;
+
+ private:
+  ValueId Input(GlobalId id);
+  ValueId ByComponent(ValueId old);
+  ValueId SelectWhole(ValueId old);
+  ValueId Index(ValueId old);
+  bool IsInRange(ValueId index, uint32_t count) const;
+
+  const Dialect dialect_;
+  const InputUse& inputs_;
+  std::vector<std::pair<GlobalId, ValueId>> parameters_;
+  std::unordered_map<ValueId, size_t> loops_;  // by their index: which of from_.loops
+};
+
+ValueId Legalizer::Input(GlobalId id) {
+  for (auto [global, parameter] : parameters_) {
+    if (global == id) return parameter;
+  }
+  return to_.Global(id);
+}
+
+ValueId Legalizer::Copy(ValueId old) {
+  const Inst& inst = from_[old];
+  if (inst.op == Op::kGlobal) return Input(GlobalId(inst.aux));
+  if (inst.op == Op::kIndex) return Index(old);
+  if (IsLegal(module_, from_, inst, dialect_, inputs_)) return Rebuilder::Copy(old);
+  if (inst.op == Op::kFma) {
+    std::vector<ValueId> x = GetAll(from_.Operands(inst));
+    ValueId product = to_.Emit(Op::kMul, inst.type, {x[0], x[1]});
+    return to_.Emit(Op::kAdd, inst.type, {product, x[2]});
+  }
+  return HasArray(module_.types, inst.type) ? SelectWhole(old) : ByComponent(old);
+}
+
+// A vector operation that GLSL has for scalars only.
+ValueId Legalizer::ByComponent(ValueId old) {
+  const Inst& inst = from_[old];
+  std::vector<ValueId> x = GetAll(from_.Operands(inst));
+  std::vector<ValueId> parts;
+  for (uint32_t i = 0; i < ir::Width(inst.type); ++i) {
+    std::vector<ValueId> components;
+    for (ValueId v : x) components.push_back(to_.Extract(v, i));
+    parts.push_back(to_.Emit(inst.op, ir::ScalarType(inst.type), components));
+  }
+  return to_.Construct(inst.type, parts);
+}
+
+// ?: takes no arrays.
+ValueId Legalizer::SelectWhole(ValueId old) {
+  std::vector<ValueId> x = GetAll(from_.Operands(old));
+  ir::RegionId then_region = to_.BeginRegion();
+  to_.EndRegion({{x[1]}});
+  ir::RegionId else_region = to_.BeginRegion();
+  to_.EndRegion({{x[2]}});
+  return to_.If(x[0], then_region, else_region);
+}
+
+// Whether `index` of the old function is known to be at least 0 and less than `count`.
+bool Legalizer::IsInRange(ValueId index, uint32_t count) const {
+  const Inst& inst = from_[index];
+  auto constant = [&](ValueId v) -> int64_t {
+    if (from_[v].op != Op::kConst) return -1;
+    uint32_t word = module_.Words(ir::ConstId(from_[v].aux))[0];
+    return from_[v].type == ir::kUint ? int64_t(word) : int64_t(int32_t(word));
+  };
+  std::span<const ValueId> operands = from_.Operands(inst);
+  switch (inst.op) {
+    case Op::kConst:
+      return constant(index) >= 0 && constant(index) < count;
+    case Op::kAnd:
+      for (ValueId mask : operands) {
+        if (int64_t c = constant(mask); c >= 0 && c < count) return true;
+      }
+      return false;
+    case Op::kMod:
+      return inst.type == ir::kUint && constant(operands[1]) > 0 && constant(operands[1]) <= count;
+    case Op::kClamp:
+      return constant(operands[1]) >= 0 && constant(operands[2]) >= constant(operands[1]) &&
+             constant(operands[2]) < count;
+    case Op::kParam:
+      if (auto found = loops_.find(index); found != loops_.end()) {
+        const ir::ForLoop& loop = from_.loops[found->second];
+        if (loop.Trips() == 0) return true;
+        int64_t last = loop.first + (int64_t(loop.Trips()) - 1) * loop.step;
+        return std::min<int64_t>(loop.first, last) >= 0 &&
+               std::max<int64_t>(loop.first, last) < count;
+      }
+      return false;
+    default:
+      return false;
+  }
+}
+
+// Outside its array, the index is the nearest one inside.
+ValueId Legalizer::Index(ValueId old) {
+  std::span<const ValueId> operands = from_.Operands(old);
+  uint32_t count = module_.types.ElementCount(from_[operands[0]].type);
+  ValueId index = Get(operands[1]);
+  if (!IsInRange(operands[1], count)) {
+    if (to_.TypeOf(index) == ir::kUint) {
+      index = to_.Emit(Op::kMin, ir::kUint, {index, to_.Uint(count - 1)});
+    } else {
+      index = to_.Emit(Op::kClamp, ir::kInt,
+                       {index, to_.Int(0), to_.Int(static_cast<int32_t>(count) - 1)});
+    }
+  }
+  return to_.Emit(Op::kIndex, from_[old].type, {Get(operands[0]), index});
+}
+
+std::vector<ValueId> Legalizer::CopyCall(ValueId old) {
+  const Inst& inst = from_[old];
+  std::vector<ValueId> arguments = GetAll(from_.Operands(inst));
+  for (GlobalId input : inputs_[inst.aux]) arguments.push_back(Input(input));
+  ValueId call = to_.Call(FunctionId(inst.aux), arguments);
+  uint32_t count = live_.ResultCount(old);
+  if (count == 1) return {call};
+  std::vector<ValueId> results(count);
+  for (uint32_t i = 0; i < count; ++i) {
+    if (live_.LiveResult(old, i)) results[i] = to_.Extract(call, i);
+  }
+  return results;
+}
+
+void LegalizeFunction(ir::Module& module, FunctionId id, Dialect dialect, const InputUse& inputs) {
+  const ir::Function& function = module[id];
+  bool legal =
+      inputs[id.index].empty() && std::ranges::all_of(function.insts, [&](const Inst& inst) {
+        return IsLegal(module, function, inst, dialect, inputs);
+      });
+  if (legal) return;
+  ir::Function old = ir::TakeFunction(module, id);
+  ir::Liveness live(module, old, id);
+  Builder builder(module, module[id], {.fold = false});
+  Legalizer legalizer(module, old, live, builder, dialect, inputs);
+  legalizer.CopyParameters();
+  legalizer.AddInputs(inputs[id.index]);
+  legalizer.CopyRegion(old.body);
+  module[id].results = old.results;
+  builder.Return(legalizer.GetAll(old.Body().results));
+}
+
+}  // namespace
+
+bool Legalize(ir::Module& module, Dialect dialect, Diagnostics& diagnostics, SourceRange where) {
+  if (!CheckLimits(module, where, diagnostics)) return false;
+  InputUse inputs = FindInputUse(module);
+  for (size_t f = 0; f < module.functions.size(); ++f) {
+    FunctionId id(f);
+    LegalizeFunction(module, id, dialect, inputs);
+    std::vector<ir::Result>& results = module[id].results;
+    if (id != module.main && results.size() == 1) results[0].name.clear();
+  }
+  return true;
+}
+
+}  // namespace texgraph::glsl

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// The names at global scope: inputs, uniforms and textures keep the graph's; then come outputs,
+// structs, functions and constant arrays.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "compiler/glsl/names.h"
+#include "compiler/glsl/uses.h"
+
+namespace texgraph::glsl {
+
+class ModuleNames {
+ public:
+  // `global_used` and `function_used`: by id, what the shader contains. `local_names`: the names
+  // that main's variables want, which functions leave to them. `shader_name` is taken first, if not
+  // empty.
+  ModuleNames(const ir::Module& module, const std::vector<bool>& global_used,
+              const std::vector<bool>& function_used,
+              const std::vector<std::string_view>& local_names, std::string_view shader_name);
+
+  const std::string& Global(GlobalId id) const { return globals_[id.index]; }
+  const std::string& Function(FunctionId id) const { return functions_[id.index]; }
+  const std::string& Shader() const { return shader_; }
+  // The variable of main's i-th result: "out_color".
+  const std::string& Output(size_t i) const { return outputs_[i]; }
+  // "vec3", "Tile", "float[4]".
+  std::string Type(TypeId id) const;
+  // "vec3 tint", "float weights[4]".
+  std::string Declaration(TypeId type, std::string_view name) const;
+  // An array constant; DeclareArray gives it a name.
+  const std::string& Array(ir::ConstId id) const { return arrays_.at(id); }
+  bool HasArray(ir::ConstId id) const { return arrays_.contains(id); }
+  void DeclareArray(ir::ConstId id, std::string_view wish);
+  // A further name at global scope.
+  std::string_view Extra(std::string_view wish) { return table_.Claim(wish); }
+
+  // Whether a local name would hide something at global scope that a function needs: any function
+  // or struct, and those globals that it uses.
+  bool Hides(std::string_view name, const std::vector<bool>& globals_of_function) const;
+
+ private:
+  const ir::Module& module_;
+  NameTable table_;
+  std::string shader_;
+  std::vector<std::string> globals_;
+  std::vector<std::string> outputs_;
+  std::vector<std::string> functions_;
+  std::unordered_map<TypeId, std::string> structs_;
+  std::unordered_map<ir::ConstId, std::string> arrays_;
+  std::unordered_map<std::string_view, GlobalId> global_by_name_;
+};
+
+}  // namespace texgraph::glsl
