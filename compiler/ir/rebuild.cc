@@ -209,10 +209,16 @@ std::vector<ValueId> Rebuilder::CopyIf(ValueId old) {
   if (to_.folds() && to_.IsConst(condition)) {
     found = copy_side(to_.ConstWords(condition)[0] ? branch.then_region : branch.else_region);
   } else {
-    RegionId then_region = to_.BeginRegion();
-    to_.EndRegion(copy_side(branch.then_region));
-    RegionId else_region = to_.BeginRegion();
-    to_.EndRegion(copy_side(branch.else_region));
+    auto copy_open = [&](RegionId side, bool taken) {
+      RegionId copy = to_.BeginRegion();
+      EnterSide(old, taken);
+      std::vector<ValueId> yielded = copy_side(side);
+      LeaveSide(old, taken);
+      to_.EndRegion(yielded);
+      return copy;
+    };
+    RegionId then_region = copy_open(branch.then_region, true);
+    RegionId else_region = copy_open(branch.else_region, false);
     SetOrigin(old);
     ValueId merged = to_.If(condition, then_region, else_region);
     for (uint32_t i = 0; i < kept.size(); ++i) {
@@ -231,9 +237,17 @@ std::vector<ValueId> Rebuilder::CopyFor(ValueId old) {
   std::vector<uint32_t> kept;
   for (uint32_t i = 0; i < results.size(); ++i) {
     if (!live_.LiveResult(old, i)) continue;
+    ValueId first = Get(from_.Operands(inst)[i]);
+    if (to_.folds() && body.results[i] == body.params[i + 1]) {
+      // Carried unchanged.
+      Set(body.params[i + 1], first);
+      results[i] = first;
+      continue;
+    }
     kept.push_back(i);
-    initial.push_back(Get(from_.Operands(inst)[i]));
+    initial.push_back(first);
   }
+  if (kept.empty()) return results;
   std::vector<ValueId> found;
   const uint32_t trips = loop.Trips();
   if (to_.folds() && trips <= 1) {

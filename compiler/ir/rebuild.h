@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What every pass is made of: Liveness says which values of a function its results need, and Rebuilder copies just these into
 // another function through a Builder, so that folding, merging and dead code removal come for free. With a folding builder,
-// ifs on constants become the taken side and loops of no or one round become straight code. A pass overrides how one
-// instruction is copied.
+// ifs on constants become the taken side, loops of no or one round become straight code, and what a loop carries unchanged
+// leaves it. A pass overrides how one instruction is copied.
 #pragma once
 
 #include <span>
@@ -84,6 +84,9 @@ class Rebuilder {
   virtual std::vector<ValueId> CopyCall(ValueId old);
   virtual std::vector<ValueId> CopyIf(ValueId old);
   virtual std::vector<ValueId> CopyFor(ValueId old);
+  // Called around the copy of each side of an if that stays one: inside, its condition is `taken`.
+  virtual void EnterSide(ValueId /*old_if*/, bool /*taken*/) {}
+  virtual void LeaveSide(ValueId /*old_if*/, bool /*taken*/) {}
   // Called when `old`, which takes one result of a call, an if or a loop, got its copy.
   virtual void TookResult(ValueId /*old*/) {}
 
