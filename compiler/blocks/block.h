@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// A block: one GLSL file that became typed signatures and, on demand, IR functions. See docs/blocks.md for the language.
+// A block: one GLSL file that became typed signatures and, on demand, IR functions. See
+// docs/blocks.md for the language.
 //
-// File `stdlib_blocks/<family>/<block>.glsl` defines the function `<block>`, in one or several overloads (`genType` counts as
-// four), with whatever private functions, constants and structs it needs. A function that a file calls but does not define is
-// another block's, found by its name in the library.
+// File `stdlib_blocks/<family>/<block>.glsl` defines the function `<block>`, in one or several
+// overloads (`genType` counts as four), with whatever private functions, constants and structs it
+// needs. A function that a file calls but does not define is another block's, found by its name in
+// the library.
 #pragma once
 
 #include <memory>
@@ -26,8 +28,8 @@ enum class PortKind : uint8_t {
   kField,     // a prototype without a body: a function port
 };
 
-// A word that stands for a value of an enumeration: for a parameter `const int blend`, the file's constants
-// `const int BLEND_MIX = 0; const int BLEND_ADD = 1;` make the words "mix" and "add".
+// A word that stands for a value of an enumeration: for a parameter `const int blend`, the file's
+// constants `const int BLEND_MIX = 0; const int BLEND_ADD = 1;` make the words "mix" and "add".
 struct EnumWord {
   std::string word;
   int32_t value;
@@ -40,8 +42,8 @@ struct Port {
   SourceRange range;  // of the declaration
   std::string help;   // from "/// @param name help"
   std::string unit;   // "@unit degrees"
-  // "@default": a constant of the port's type (kField: of the field's result type), or the name of a built-in input ("uv"), or
-  // neither: the port must be connected.
+  // "@default": a constant of the port's type (kField: of the field's result type), or the name of
+  // a built-in input ("uv"), or neither: the port must be connected.
   ir::ConstId default_value;
   std::string default_input;
   std::optional<double> minimum, maximum;  // "@range 0 1", each component
@@ -50,11 +52,12 @@ struct Port {
 };
 
 struct Overload {
-  std::vector<Port> inputs;  // the file's fields in its order, then the function's parameters that are not `out`
+  std::vector<Port>
+      inputs;  // the file's fields in its order, then the function's parameters that are not `out`
   // The return value first (named "result"), then the out parameters.
   std::vector<Port> outputs;
-  ir::TypeId gen_type;     // what genType stands for here; invalid if nothing of it is generic
-  uint32_t function = 0;   // index in the file's functions
+  ir::TypeId gen_type;    // what genType stands for here; invalid if nothing of it is generic
+  uint32_t function = 0;  // index in the file's functions
 };
 
 struct Block {
@@ -69,12 +72,12 @@ struct Block {
   const struct File* file = nullptr;  // file.h
 };
 
-// The blocks that one compilation can use: the embedded library and the folders of -I (which come first), each parsed when
-// it is first asked for. Types, constants and functions go into `module`.
+// The blocks that one compilation can use: the embedded library and the folders of -I (which come
+// first), each parsed when it is first asked for. Types, constants and functions go into `module`.
 class Library {
  public:
-  // `fold` false keeps what constants would decide, for the unoptimised leg of the tests; loop bounds and template values
-  // are known all the same.
+  // `fold` false keeps what constants would decide, for the unoptimised leg of the tests; loop
+  // bounds and template values are known all the same.
   Library(ir::Module& module, Sources& sources, Diagnostics& diagnostics,
           std::vector<std::string> folders = {}, bool fold = true);
   ~Library();
@@ -86,9 +89,10 @@ class Library {
   std::vector<std::string_view> Names() const;  // sorted
   // The struct types of types.glsl ("Tile") and the basic types; invalid if there is none.
   ir::TypeId FindType(std::string_view name);
-  // The IR function of an overload for these values of its kTemplate inputs, one for each, in their order and of their types; it
-  // has no parameters for them, the others are in the order of `inputs`. Made once for each combination, after the functions
-  // that it calls. Invalid if something is wrong with these values, a loop too long, say (reported).
+  // The IR function of an overload for these values of its kTemplate inputs, one for each, in their
+  // order and of their types; it has no parameters for them, the others are in the order of
+  // `inputs`. Made once for each combination, after the functions that it calls. Invalid if
+  // something is wrong with these values, a loop too long, say (reported).
   ir::FunctionId Function(const Block& block, const Overload& overload,
                           std::span<const ir::ConstId> template_values);
   // Paths of the files outside the program that were read, for dependency files.

@@ -1,0 +1,465 @@
+// SPDX-License-Identifier: Apache-2.0
+// The lines that begin with "///": the block's texts, and what "@" tags say of its ports.
+#include <algorithm>
+#include <bit>
+#include <charconv>
+#include <set>
+
+#include "compiler/base/builtin_input.h"
+#include "compiler/base/text.h"
+#include "compiler/blocks/check.h"
+#include "compiler/blocks/parser.h"
+
+namespace texgraph::blocks {
+namespace {
+
+using ir::TypeId;
+
+// A piece of one line.
+struct Piece {
+  SourceRange range;
+  std::string_view text;
+};
+
+struct Tag {
+  Piece name;  // with its '@'; empty for the text in front of all tags
+  std::vector<Piece> pieces;
+};
+
+struct Setting {  // an inline tag of a parameter
+  Piece tag;
+  Piece value;
+};
+
+struct ParameterDoc {
+  Piece name;
+  std::string help;
+  std::vector<Setting> settings;
+};
+
+constexpr std::string_view kInlineTags[] = {"@default", "@range", "@unit"};
+constexpr std::string_view kTags[] = {"@param", "@return", "@source"};
+
+bool IsBlank(char c) { return c == ' ' || c == '\t'; }
+
+Piece Trim(Piece piece) {
+  while (!piece.text.empty() && IsBlank(piece.text.front())) {
+    piece.text.remove_prefix(1);
+    ++piece.range.begin;
+  }
+  while (!piece.text.empty() && IsBlank(piece.text.back())) {
+    piece.text.remove_suffix(1);
+    --piece.range.end;
+  }
+  return piece;
+}
+
+Piece Part(const Piece& piece, size_t begin, size_t end) {
+  uint32_t at = piece.range.begin;
+  return {{piece.range.source, at + static_cast<uint32_t>(begin), at + static_cast<uint32_t>(end)},
+          piece.text.substr(begin, end - begin)};
+}
+
+// Takes the first word off.
+Piece TakeWord(Piece& piece) {
+  piece = Trim(piece);
+  size_t end = std::min(piece.text.find_first_of(" \t"), piece.text.size());
+  Piece word = Part(piece, 0, end);
+  piece = Trim(Part(piece, end, piece.text.size()));
+  return word;
+}
+
+void AppendLine(std::string& text, std::string_view line, char separator) {
+  if (line.empty()) return;
+  if (!text.empty()) text += separator;
+  text += line;
+}
+
+class DocChecker {
+ public:
+  DocChecker(Program& program, File& file)
+      : program_(program), file_(file), text_(program.sources.Text(file.source)) {}
+
+  void Run() {
+    for (const FunctionAst& function : file_.ast->functions) {
+      bool is_port = function.name == file_.name || IsField(function.name);
+      ReadDocs(function.docs, is_port, function);
+    }
+    for (const StructAst& structure : file_.ast->structs) RefuseTags(structure.docs);
+    for (const ConstantAst& constant : file_.ast->constants) RefuseTags(constant.docs);
+    SetTexts();
+    for (Overload& overload : file_.block.overloads) {
+      FindWords(overload);
+      for (Port& port : overload.inputs) SetPort(overload, port, true);
+      for (Port& port : overload.outputs) SetPort(overload, port, false);
+    }
+  }
+
+ private:
+  // What stands before one prototype or function.
+  struct Lines {
+    const FunctionAst* function;
+    std::vector<ParameterDoc> parameters;
+    std::string result_help;
+  };
+
+  void Error(SourceRange range, std::string message) {
+    // The four meanings of genType would repeat it.
+    if (!reported_.insert(range.begin).second) return;
+    program_.diagnostics.Error(DiagnosticKind::kBlockDoc, range, std::move(message));
+  }
+
+  bool IsField(std::string_view name) const {
+    return std::ranges::any_of(file_.fields,
+                               [&](const FieldInfo& field) { return field.ast->name == name; });
+  }
+
+  // --- Reading ---
+
+  std::vector<Tag> Split(DocLines lines) {
+    std::vector<Tag> tags(1);
+    for (uint32_t i = lines.first; i < lines.first + lines.count; ++i) {
+      const DocLine& line = file_.ast->docs[i];
+      Piece rest{{file_.source, line.begin, line.end},
+                 text_.substr(line.begin, line.end - line.begin)};
+      bool first = true;
+      while (first || !rest.text.empty()) {
+        size_t at = FindTag(rest.text);
+        if (at > 0 || first) tags.back().pieces.push_back(Trim(Part(rest, 0, at)));
+        first = false;
+        rest = Part(rest, at, rest.text.size());
+        if (!rest.text.empty()) tags.push_back({TakeWord(rest), {}});
+      }
+    }
+    return tags;
+  }
+
+  // Where the next '@' begins a word, or the end.
+  static size_t FindTag(std::string_view text) {
+    for (size_t i = 0; i + 1 < text.size(); ++i) {
+      bool begins = i == 0 || IsBlank(text[i - 1]);
+      char next = text[i + 1];
+      bool letter = (next >= 'a' && next <= 'z') || (next >= 'A' && next <= 'Z');
+      if (text[i] == '@' && begins && letter) return i;
+    }
+    return text.size();
+  }
+
+  void RefuseTags(DocLines lines) {
+    for (const Tag& tag : Split(lines)) {
+      if (tag.name.text.empty()) continue;
+      Error(tag.name.range, "tags belong to the block's function and its prototypes, not here");
+      return;
+    }
+  }
+
+  void ReadDocs(DocLines lines, bool is_port, const FunctionAst& function) {
+    if (lines.count == 0) return;
+    if (!is_port) return RefuseTags(lines);
+    Lines& run = runs_.emplace_back();
+    run.function = &function;
+    bool in_parameter = false;
+    for (const Tag& tag : Split(lines)) ReadTag(tag, run, in_parameter);
+  }
+
+  void ReadTag(const Tag& tag, Lines& run, bool& in_parameter) {
+    std::string_view name = tag.name.text;
+    if (name.empty()) {
+      for (const Piece& piece : tag.pieces) description_.push_back(piece.text);
+      return;
+    }
+    bool is_inline = std::ranges::find(kInlineTags, name) != std::end(kInlineTags);
+    if (is_inline && in_parameter) return ReadSetting(tag, run.parameters.back());
+    in_parameter = name == "@param";
+    if (is_inline) {
+      Error(tag.name.range, "'" + std::string(name) + "' stands in the text of a '@param'");
+    } else if (name == "@param") {
+      in_parameter = ReadParameter(tag, run);
+    } else if (name == "@return") {
+      for (const Piece& piece : tag.pieces) AppendLine(run.result_help, piece.text, ' ');
+    } else if (name == "@source") {
+      for (const Piece& piece : tag.pieces) AppendLine(file_.block.source, piece.text, ' ');
+    } else {
+      std::vector<std::string_view> known(std::begin(kTags), std::end(kTags));
+      known.insert(known.end(), std::begin(kInlineTags), std::end(kInlineTags));
+      Error(tag.name.range,
+            "there is no tag '" + Printable(name, 40) + "'" + DidYouMean(name, known));
+    }
+  }
+
+  bool ReadParameter(const Tag& tag, Lines& run) {
+    ParameterDoc doc;
+    Piece first = tag.pieces.empty() ? Piece{} : tag.pieces[0];
+    doc.name = TakeWord(first);
+    if (doc.name.text.empty()) {
+      Error(tag.name.range, "'@param' needs the name of a parameter");
+      return false;
+    }
+    doc.help = first.text;
+    for (size_t i = 1; i < tag.pieces.size(); ++i) AppendLine(doc.help, tag.pieces[i].text, ' ');
+    CheckParameterName(doc.name, *run.function);
+    for (const ParameterDoc& other : run.parameters) {
+      if (other.name.text == doc.name.text) {
+        Error(doc.name.range, "'" + std::string(doc.name.text) + "' is described twice");
+      }
+    }
+    run.parameters.push_back(std::move(doc));
+    return true;
+  }
+
+  // It must be a parameter of the function below, or of any if a prototype is below; or a field.
+  void CheckParameterName(const Piece& name, const FunctionAst& function) {
+    std::vector<std::string_view> known;
+    for (const FunctionAst& other : file_.ast->functions) {
+      if (IsField(other.name)) known.push_back(other.name);
+      bool counts = &other == &function || (!function.body && other.name == file_.name);
+      if (!counts || IsField(other.name)) continue;
+      for (const ParameterAst& parameter : other.parameters) known.push_back(parameter.name);
+    }
+    if (std::ranges::find(known, name.text) != known.end()) return;
+    Error(name.range, "there is no parameter '" + Printable(name.text, 60) + "'" +
+                          DidYouMean(name.text, known));
+  }
+
+  void ReadSetting(const Tag& tag, ParameterDoc& doc) {
+    Piece value = tag.pieces.empty() ? Piece{} : tag.pieces[0];
+    if (value.text.empty()) {
+      Error(tag.name.range, "'" + std::string(tag.name.text) + "' needs a value behind it");
+      return;
+    }
+    for (const Setting& other : doc.settings) {
+      if (other.tag.text == tag.name.text) {
+        Error(tag.name.range, "'" + std::string(tag.name.text) + "' stands here twice");
+      }
+    }
+    // The next lines go on with the parameter's text.
+    for (size_t i = 1; i < tag.pieces.size(); ++i) AppendLine(doc.help, tag.pieces[i].text, ' ');
+    doc.settings.push_back({tag.name, value});
+  }
+
+  // --- Texts ---
+
+  // The first sentence ends at a '.' that a blank or the end follows.
+  void SetTexts() {
+    std::string all;
+    for (std::string_view line : description_) all += std::string(line) + "\n";
+    size_t end = 0;
+    bool found = false;
+    for (; end < all.size() && !found; ++end) {
+      found = all[end] == '.' &&
+              (end + 1 == all.size() || IsBlank(all[end + 1]) || all[end + 1] == '\n');
+    }
+    std::string summary = all.substr(0, end);
+    std::ranges::replace(summary, '\n', ' ');
+    auto trim = [](std::string text) {
+      size_t first = text.find_first_not_of(" \n");
+      if (first == std::string::npos) return std::string();
+      return text.substr(first, text.find_last_not_of(" \n") - first + 1);
+    };
+    file_.block.summary = trim(std::move(summary));
+    file_.block.details = trim(all.substr(end));
+  }
+
+  // --- Ports ---
+
+  // What this overload's own lines say of a port, else what the prototypes' do, else any other
+  // overload's.
+  const ParameterDoc* FindDoc(const Overload& overload, std::string_view name) const {
+    const FunctionAst* own = file_.functions[overload.function].ast;
+    auto find = [&](auto&& matches) -> const ParameterDoc* {
+      for (const Lines& run : runs_) {
+        if (!matches(*run.function)) continue;
+        for (const ParameterDoc& doc : run.parameters) {
+          if (doc.name.text == name) return &doc;
+        }
+      }
+      return nullptr;
+    };
+    if (auto doc = find([&](const FunctionAst& f) { return &f == own; })) return doc;
+    if (auto doc = find([](const FunctionAst& f) { return !f.body; })) return doc;
+    return find([](const FunctionAst&) { return true; });
+  }
+
+  void SetPort(const Overload& overload, Port& port, bool is_input) {
+    if (!is_input && port.name == "result") {
+      const FunctionAst* own = file_.functions[overload.function].ast;
+      for (const Lines& run : runs_) {
+        if (port.help.empty() || run.function == own) {
+          if (!run.result_help.empty()) port.help = run.result_help;
+        }
+      }
+    }
+    const ParameterDoc* doc = FindDoc(overload, port.name);
+    if (!doc) return;
+    port.help = doc->help;
+    // The default is checked against the range.
+    for (std::string_view tag : {"@unit", "@range", "@default"}) {
+      for (const Setting& setting : doc->settings) {
+        if (setting.tag.text == tag) SetSetting(port, setting, is_input);
+      }
+    }
+  }
+
+  void SetSetting(Port& port, const Setting& setting, bool is_input) {
+    std::string_view tag = setting.tag.text;
+    if (tag == "@unit") {
+      port.unit = setting.value.text;
+    } else if (tag == "@range") {
+      SetRange(port, setting);
+    } else if (!is_input || port.kind == PortKind::kTexture) {
+      Error(setting.tag.range, is_input ? "a texture has no default" : "an output has no default");
+    } else {
+      SetDefault(port, setting.value);
+    }
+  }
+
+  static bool ReadNumber(std::string_view text, double& value) {
+    if (text.starts_with('+')) text.remove_prefix(1);
+    auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return error == std::errc() && end == text.data() + text.size() && value - value == 0;
+  }
+
+  void SetRange(Port& port, const Setting& setting) {
+    Piece rest = setting.value;
+    Piece least = TakeWord(rest), most = TakeWord(rest);
+    double minimum = 0, maximum = 0;
+    bool read = ReadNumber(least.text, minimum) && ReadNumber(most.text, maximum);
+    TypeId type = port.kind == PortKind::kField ? TypeId() : port.type;
+    if (!read || !rest.text.empty() || minimum > maximum) {
+      Error(setting.value.range, "a range is two numbers, the lesser first: '@range 0 1'");
+    } else if (!type || !ir::IsVector(type) || ir::IsBool(type)) {
+      Error(setting.tag.range, "only numbers have a range");
+    } else {
+      port.minimum = minimum;
+      port.maximum = maximum;
+    }
+  }
+
+  void SetDefault(Port& port, const Piece& value) {
+    TypeId type =
+        port.kind == PortKind::kField ? program_.module.types[port.type].elements[0] : port.type;
+    const File* shared = program_.SharedFile();
+    bool is_constant =
+        file_.constants.contains(value.text) || (shared && shared->constants.contains(value.text));
+    bool is_name = IsIdentifier(value.text) && value.text != "true" && value.text != "false";
+    if (is_name && !is_constant) return SetDefaultName(port, value);
+    Expr* expr =
+        ParseDocExpression(*file_.ast, value.range, program_.sources, program_.diagnostics);
+    if (!expr || reported_.contains(expr->range.begin)) return;
+    port.default_value =
+        CheckConstant(program_, file_, *expr, type, true, DiagnosticKind::kBlockDoc);
+    if (!port.default_value) {
+      reported_.insert(expr->range.begin);
+      return;
+    }
+    CheckDefaultRange(port, value);
+  }
+
+  // An input of the graph, or the word of an enumeration.
+  void SetDefaultName(Port& port, const Piece& value) {
+    for (const EnumWord& word : port.words) {
+      if (word.word != value.text) continue;
+      uint32_t bits = static_cast<uint32_t>(word.value);
+      port.default_value = program_.module.Intern(ir::kInt, {&bits, 1});
+      return;
+    }
+    std::vector<std::string_view> known;
+    for (const EnumWord& word : port.words) known.push_back(word.word);
+    for (const BuiltinInput& input : kBuiltinInputs) {
+      known.push_back(input.name);
+      if (input.name != value.text) continue;
+      TypeId type = program_.module.types.Find(input.type);
+      bool fits = type == port.type || (type == ir::kFloat && ir::IsVector(port.type) &&
+                                        ir::ScalarOf(port.type) == ir::Scalar::kFloat);
+      if (port.kind == PortKind::kValue && fits) {
+        port.default_input = value.text;
+      } else {
+        Error(value.range, "'" + std::string(value.text) + "' is a " + std::string(input.type) +
+                               " that is not known when the shader is made; this port takes " +
+                               program_.module.types.Text(port.type));
+      }
+      return;
+    }
+    Error(value.range, "there is no constant and no input '" + Printable(value.text, 60) + "'" +
+                           DidYouMean(value.text, known));
+  }
+
+  void CheckDefaultRange(const Port& port, const Piece& value) {
+    TypeId type = program_.module.constant(port.default_value).type;
+    if (!ir::IsVector(type) || ir::IsBool(type)) return;
+    bool known_word = port.words.empty();
+    for (uint32_t word : program_.module.Words(port.default_value)) {
+      double number = ir::IsFloat(type) ? std::bit_cast<float>(word)
+                      : ir::ScalarOf(type) == ir::Scalar::kInt
+                          ? static_cast<double>(static_cast<int32_t>(word))
+                          : static_cast<double>(word);
+      // The range is of doubles, the default of floats: 0.1 is in [0.1, 1].
+      auto nearest = [&](double limit) {
+        return ir::IsFloat(type) ? static_cast<double>(static_cast<float>(limit)) : limit;
+      };
+      if (port.minimum && (number < nearest(*port.minimum) || number > nearest(*port.maximum))) {
+        Error(value.range, "the default is outside of the range");
+        return;
+      }
+      for (const EnumWord& choice : port.words) known_word = known_word || choice.value == number;
+    }
+    if (!known_word) Error(value.range, "the default is none of the port's words");
+  }
+
+  // --- Enumerations ---
+
+  static std::string Prefix(std::string_view name) {
+    std::string prefix(name);
+    for (char& c : prefix) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+    return prefix + "_";
+  }
+
+  // Of two parameters `row` and `row_mode`, ROW_MODE_FIXED is the latter's.
+  void FindWords(Overload& overload) {
+    std::vector<std::pair<std::string, Port*>> ports;
+    for (Port& port : overload.inputs) {
+      if (port.kind == PortKind::kTemplate && port.type == ir::kInt) {
+        ports.emplace_back(Prefix(port.name), &port);
+      }
+    }
+    if (ports.empty()) return;
+    std::map<std::string_view, ConstantInfo> constants = file_.constants;
+    if (const File* shared = program_.SharedFile()) {
+      constants.insert(shared->constants.begin(), shared->constants.end());
+    }
+    for (const auto& [name, info] : constants) {
+      bool is_int = info.value && program_.module.constant(info.value).type == ir::kInt;
+      Port* best = nullptr;
+      size_t length = 0;
+      for (const auto& [prefix, port] : ports) {
+        if (!is_int || !name.starts_with(prefix) || name.size() <= prefix.size()) continue;
+        if (prefix.size() <= length) continue;
+        best = port;
+        length = prefix.size();
+      }
+      if (!best) continue;
+      std::string word(name.substr(length));
+      for (char& c : word) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+      int32_t value = static_cast<int32_t>(program_.module.Words(info.value)[0]);
+      best->words.push_back({std::move(word), value});
+    }
+    for (auto& [prefix, port] : ports) {
+      // One constant makes no choice.
+      if (port->words.size() == 1) port->words.clear();
+      std::ranges::stable_sort(port->words, {}, &EnumWord::value);
+    }
+  }
+
+  Program& program_;
+  File& file_;
+  std::string_view text_;
+  std::vector<std::string_view> description_;
+  std::vector<Lines> runs_;
+  std::set<uint32_t> reported_;
+};
+
+}  // namespace
+
+void CheckDocs(Program& program, File& file) { DocChecker(program, file).Run(); }
+
+}  // namespace texgraph::blocks
