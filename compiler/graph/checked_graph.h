@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A graph after CheckGraph: every node bound to an overload of a block or to a graph function, every port given a value of its
-// type, conversions explicit, nodes in an order in which each follows what it needs, no cycles, no unused names left to resolve.
+// A graph after CheckGraph: every node bound to an overload of a block or to a graph function,
+// every port given a value of its type, conversions explicit, nodes in an order in which each
+// follows what it needs, no cycles, no unused names left to resolve.
 #pragma once
 
 #include <optional>
@@ -18,41 +19,72 @@ struct NodeOutput {
   uint32_t node;    // in the same subgraph
   uint32_t output;  // of its overload or function
 };
-struct ParameterRef { uint32_t parameter; };    // of the graph, with any binding
-struct BuiltinRef { uint32_t input; };          // into kBuiltinInputs
-struct FunctionInputRef { uint32_t input; };    // of the enclosing graph function
-struct TextureRef { uint32_t texture; };        // for a sampler port
-struct ConstantValue { ir::ConstId value; };    // already of the port's type
+struct ParameterRef {  // of the graph, uniform or specialization
+  uint32_t parameter;
+};
+struct BuiltinRef {  // into kBuiltinInputs
+  uint32_t input;
+};
+struct FunctionInputRef {  // of the enclosing graph function
+  uint32_t input;
+};
+struct TextureRef {  // for a sampler port
+  uint32_t texture;
+};
+struct ConstantValue {  // already of the port's type
+  ir::ConstId value;
+};
 
 // What a function port is bound to.
-struct FieldOfTexture { uint32_t texture; };    // texture(t, first parameter), converted to the port's result type
-struct FieldOfFunction { uint32_t function; uint32_t output; };  // a graph function; `by_parameter[i]`: the prototype's parameter
-                                                                 // for its input i, or none: the input's default
-struct FieldOfNode { NodeOutput source; };      // re-evaluated where the port asks: the prototype's parameters that are named as
-                                                // built-in inputs replace these in all that the output depends on
-struct FieldOfParameter { uint32_t parameter; };  // a parameter, builtin input or function input: the same value everywhere
-struct FieldOfBuiltin { uint32_t input; };
-struct FieldOfFunctionInput { uint32_t input; };
-struct FieldOfConstant { ir::ConstId value; };
+struct FieldOfTexture {  // texture(t, first parameter), a vec4
+  uint32_t texture;
+};
+// A graph function. BoundPort::by_parameter[i] is the prototype's parameter for its input i, or
+// none: the input's default.
+struct FieldOfFunction {
+  uint32_t function;  // into CheckedGraph::functions
+  uint32_t output;
+};
+// Re-evaluated where the port asks: the prototype's parameters that are named as built-in inputs
+// replace these in all that the output depends on.
+struct FieldOfNode {
+  NodeOutput source;
+};
+// A uniform or specialization parameter, or an input of the enclosing graph function: the same
+// value everywhere.
+struct FieldOfParameter {
+  uint32_t parameter;
+};
+struct FieldOfFunctionInput {
+  uint32_t input;
+};
+// A built-in input, which the prototype's parameters may replace.
+struct FieldOfBuiltin {
+  uint32_t input;
+};
+struct FieldOfConstant {  // already of the field's result type
+  ir::ConstId value;
+};
 
-using Source = std::variant<ConstantValue, NodeOutput, ParameterRef, BuiltinRef, FunctionInputRef, TextureRef,
-                            FieldOfTexture, FieldOfFunction, FieldOfNode, FieldOfParameter, FieldOfBuiltin,
-                            FieldOfFunctionInput, FieldOfConstant>;
+using Source =
+    std::variant<ConstantValue, NodeOutput, ParameterRef, BuiltinRef, FunctionInputRef, TextureRef,
+                 FieldOfTexture, FieldOfFunction, FieldOfNode, FieldOfParameter, FieldOfBuiltin,
+                 FieldOfFunctionInput, FieldOfConstant>;
 
 struct BoundPort {
   Source source;
   ir::TypeId source_type;  // before conversion; for fields, of the value that the source gives
   ir::TypeId type;         // of the port; for fields, the field type
   std::vector<std::optional<uint32_t>> by_parameter;  // FieldOfFunction only
-  SourceRange range;       // of the argument, or of the node if the default was taken
+  SourceRange range;  // of the argument, or of the node if the default was taken
 };
 
 struct CheckedNode {
   const Node* node = nullptr;
-  const blocks::Block* block = nullptr;        // null: a graph function
+  const blocks::Block* block = nullptr;  // null: a graph function
   const blocks::Overload* overload = nullptr;
-  uint32_t function = 0;                       // if block is null
-  std::vector<BoundPort> inputs;               // one per input port, in the port's order
+  uint32_t function = 0;          // into CheckedGraph::functions, if block is null
+  std::vector<BoundPort> inputs;  // one per input port, in the port's order
 };
 
 struct CheckedOutput {
@@ -62,9 +94,9 @@ struct CheckedOutput {
 
 struct CheckedSubgraph {
   const Subgraph* subgraph = nullptr;
-  std::vector<ir::TypeId> input_types;         // of a graph function
-  std::vector<ir::ConstId> input_defaults;     // invalid: must be connected
-  std::vector<CheckedNode> nodes;              // in dependency order
+  std::vector<ir::TypeId> input_types;      // of a graph function
+  std::vector<ir::ConstId> input_defaults;  // invalid: must be connected
+  std::vector<CheckedNode> nodes;           // in dependency order
   std::vector<CheckedOutput> outputs;
 };
 
@@ -77,8 +109,8 @@ struct CheckedParameter {
 struct CheckedGraph {
   const Graph* graph = nullptr;
   std::vector<CheckedParameter> parameters;
-  std::vector<CheckedSubgraph> functions;      // callees before callers
-  std::vector<uint32_t> function_of_graph;     // by index in Graph::functions: index in `functions`
+  std::vector<CheckedSubgraph> functions;   // callees before callers
+  std::vector<uint32_t> function_of_graph;  // by index in Graph::functions: index in `functions`
   CheckedSubgraph main;
 };
 
@@ -89,9 +121,11 @@ struct Setting {
   SourceRange range;
 };
 // Reads "name=value" texts. `value` is JSON: 3, 0.5, true, [1, 0, 0], "add" or a bare word.
-std::vector<Setting> ReadSettings(const std::vector<std::string>& texts, Sources& sources, Diagnostics& diagnostics);
+std::vector<Setting> ReadSettings(const std::vector<std::string>& texts, Sources& sources,
+                                  Diagnostics& diagnostics);
 
-// Reports every mistake; nothing is returned if there was any. Constants go into the library's module.
+// Reports every mistake; nothing is returned if there was any. Constants go into the library's
+// module.
 std::optional<CheckedGraph> CheckGraph(const Graph& graph, const std::vector<Setting>& settings,
                                        blocks::Library& library, ir::Module& module,
                                        Diagnostics& diagnostics);

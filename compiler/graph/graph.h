@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A graph as its document says it: names, literals and references with their ranges. It knows no blocks. docs/graph-format.md
-// is the user's description, docs/graph.schema.json the formal one.
+// A graph as its document says it: names, literals and references with their ranges. It knows no
+// blocks. docs/graph-format.md is the user's description, docs/graph.schema.json the formal one.
 #pragma once
 
 #include <optional>
@@ -20,9 +20,10 @@ struct Argument {
   enum class Kind : uint8_t { kNumber, kBool, kVector, kString };
   Kind kind = Kind::kNumber;
   bool boolean = false;
-  bool is_integer = false;          // all numbers were written without '.' and exponent
-  std::vector<double> numbers;      // kNumber: one; kVector: the components; kVector of arrays is flattened row by row
-  std::string_view text;            // kString
+  bool is_integer = false;  // all numbers were written without '.' and exponent
+  std::vector<double>
+      numbers;  // kNumber: one; kVector: the components; kVector of arrays is flattened row by row
+  std::string_view text;  // kString
   SourceRange range;
 };
 
@@ -68,15 +69,16 @@ struct Texture {
   SourceRange range;
   std::vector<std::string_view> files;  // one, or the layers of an array texture
   std::vector<SourceRange> file_ranges;
-  bool is_array = false;                // "layers": [...] instead of "file"
+  bool is_array = false;  // "layers": [...] instead of "file"
   ColorSpace color_space = ColorSpace::kSrgb;
   TextureFilter filter = TextureFilter::kLinear;
   TextureWrap wrap_u = TextureWrap::kRepeat, wrap_v = TextureWrap::kRepeat;
   bool mipmaps = true;
-  std::optional<int> max_level;         // "max_level": the coarsest mip level that may be used
+  std::optional<int> max_level;  // "max_level": the coarsest mip level that may be used
 };
 
-struct FunctionInput {  // of a graph function: "scale": { "type": "float", "value": 1 } or "scale": "float"
+struct FunctionInput {  // of a graph function: "scale": { "type": "float", "value": 1 } or "scale":
+                        // "float"
   std::string_view name;
   SourceRange range;
   std::string_view type;
@@ -90,7 +92,8 @@ struct Subgraph {
   SourceRange range;
   std::vector<FunctionInput> inputs;
   std::vector<Node> nodes;
-  std::vector<Output> outputs;  // a function's may be any name; the graph's are color, normal, roughness, ...
+  std::vector<Output>
+      outputs;  // a function's may be any name; the graph's are color, normal, roughness, ...
 };
 
 struct Graph {
@@ -113,16 +116,16 @@ struct BuiltinOutput {
   std::string_view type;
 };
 inline constexpr BuiltinOutput kBuiltinOutputs[] = {
-    {"color", "vec4"},     {"normal", "vec3"},   {"roughness", "float"}, {"metallic", "float"},
-    {"height", "float"},   {"emission", "vec3"}, {"opacity", "float"},
+    {"color", "vec4"},   {"normal", "vec3"},   {"roughness", "float"}, {"metallic", "float"},
+    {"height", "float"}, {"emission", "vec3"}, {"opacity", "float"},
 };
 
-// The first texture of the graph with the same files, colour space and sampler state as texture `index`, perhaps itself. Equal
-// textures share one sampler in the shader.
+// The first texture of the graph with the same files, colour space and sampler state as texture
+// `index`, perhaps itself. Equal textures share one sampler in the shader.
 uint32_t FirstEqualTexture(const Graph& graph, uint32_t index);
 
-// Reads a document as a graph. Shape mistakes (unknown, missing and wrong keys, bad names, bad literals) are all reported;
-// nothing is returned if there was any.
+// Reads a document as a graph. Shape mistakes (unknown, missing and wrong keys, bad names, bad
+// literals) are all reported; nothing is returned if there was any.
 std::optional<Graph> ReadGraph(SourceId source, DocumentFormat format, const Sources& sources,
                                Diagnostics& diagnostics);
 

@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: Apache-2.0
+// A node means the overload of its block that has the ports which it names, needs no others, and
+// takes what stands at them with the fewest conversions; the first of equals.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "compiler/graph/conversion.h"
+#include "compiler/graph/subgraph_checker.h"
+
+namespace texgraph::graph {
+namespace {
+
+using Kind = Symbol::Kind;
+using blocks::Overload;
+using blocks::Port;
+
+constexpr size_t kMaxSignatures = 8;  // shown in notes
+
+const Port* FindPort(const std::vector<Port>& ports, std::string_view name) {
+  auto found = std::ranges::find(ports, name, &Port::name);
+  return found == ports.end() ? nullptr : &*found;
+}
+
+const Input* FindInput(const Node& node, std::string_view port) {
+  auto found = std::ranges::find(node.inputs, port, &Input::port);
+  return found == node.inputs.end() ? nullptr : &*found;
+}
+
+bool MustBeConnected(const Port& port) {
+  return !port.default_value.valid() && port.default_input.empty();
+}
+
+bool HasAllNames(const Overload& overload, const Node& node) {
+  return std::ranges::all_of(
+      node.inputs, [&](const Input& input) { return FindPort(overload.inputs, input.port); });
+}
+
+bool IsComplete(const Overload& overload, const Node& node) {
+  return std::ranges::all_of(overload.inputs, [&](const Port& port) {
+    return !MustBeConnected(port) || FindInput(node, port.name);
+  });
+}
+
+std::string Listed(const std::vector<std::string>& words, std::string_view last) {
+  std::string text;
+  for (size_t i = 0; i < words.size(); ++i) {
+    text += i == 0 ? "" : i + 1 == words.size() ? last : ", ";
+    text += words[i];
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string SubgraphChecker::BlockText(uint32_t index) const {
+  return fmt::format("{} '{}'", nodes_[index].function ? "function" : "block",
+                     Printable(subgraph_.nodes[index].block, 64));
+}
+
+CheckedNode SubgraphChecker::BindNode(uint32_t index) {
+  const Node& node = subgraph_.nodes[index];
+  NodeState& state = nodes_[index];
+  CheckedNode checked;
+  checked.node = &node;
+  checked.block = state.block;
+  if (state.function) checked.function = CheckedFunction(*state.function);
+  if (state.candidates.empty()) return checked;
+  std::vector<Resolved> arguments;
+  arguments.reserve(node.inputs.size());
+  bool certain = true;
+  for (const Input& input : node.inputs) {
+    const Resolved& resolved = arguments.emplace_back(Resolve(input.argument));
+    bool value = resolved.kind == Resolved::Kind::kSymbol && resolved.symbol.kind != Kind::kTexture;
+    if ((value && !resolved.type.valid()) || resolved.kind == Resolved::Kind::kWrong) {
+      certain = false;
+    }
+  }
+  const Overload* overload = Choose(index, arguments);
+  if (!overload) return checked;
+  state.chosen = overload;
+  state.certain = certain || state.candidates.size() == 1;
+  if (state.block) checked.overload = overload;
+  checked.inputs.reserve(overload->inputs.size());
+  for (const Port& port : overload->inputs) {
+    Target target{port, {"port", port.name, "node", node.name, port.range}};
+    const Input* input = FindInput(node, port.name);
+    std::optional<BoundPort> bound =
+        input ? Bind(target, input->argument, arguments[input - node.inputs.data()])
+              : BindDefault(target, node.range);
+    if (bound) checked.inputs.push_back(std::move(*bound));
+  }
+  return checked;
+}
+
+const Overload* SubgraphChecker::Choose(uint32_t index, const std::vector<Resolved>& arguments) {
+  const Node& node = subgraph_.nodes[index];
+  std::span<const Overload> candidates = nodes_[index].candidates;
+  if (candidates.size() == 1) {
+    if (!HasAllNames(candidates[0], node)) ReportUnknownPorts(index);
+    return &candidates[0];
+  }
+  const Overload* best = nullptr;
+  int best_cost = 0;
+  for (const Overload& overload : candidates) {
+    std::optional<int> cost = Cost(overload, node, arguments);
+    if (!cost || (best && *cost >= best_cost)) continue;
+    best = &overload;
+    best_cost = *cost;
+  }
+  return best ? best : ReportNoOverload(index, arguments);
+}
+
+std::optional<int> SubgraphChecker::Cost(const Overload& overload, const Node& node,
+                                         const std::vector<Resolved>& arguments) const {
+  if (!IsComplete(overload, node)) return std::nullopt;
+  int total = 0;
+  for (size_t i = 0; i < node.inputs.size(); ++i) {
+    const Port* port = FindPort(overload.inputs, node.inputs[i].port);
+    if (!port) return std::nullopt;
+    std::optional<int> cost = PortCost(*port, node.inputs[i].argument, arguments[i]);
+    if (!cost) return std::nullopt;
+    total += *cost;
+  }
+  return total;
+}
+
+// The number of conversions, nothing if they do not lead there. What is wrong whatever the overload
+// costs nothing here and is reported when it is bound.
+std::optional<int> SubgraphChecker::PortCost(const Port& port, const Argument& argument,
+                                             const Resolved& resolved) const {
+  if (port.kind == blocks::PortKind::kField) return FieldCost(port, argument, resolved);
+  if (resolved.kind == Resolved::Kind::kWrong) return 0;
+  if (resolved.kind == Resolved::Kind::kLiteral) {
+    return LiteralCost(argument, port.type, check_.module.types);
+  }
+  if (port.kind == blocks::PortKind::kTexture) {
+    if (resolved.symbol.kind != Kind::kTexture) return std::nullopt;
+    bool is_array = check_.graph.textures[resolved.symbol.index].is_array;
+    bool fits = port.type == (is_array ? ir::kSampler2DArray : ir::kSampler2D);
+    return fits ? std::optional<int>(0) : std::nullopt;
+  }
+  if (port.kind == blocks::PortKind::kTemplate && !IsConstantParameter(resolved)) return 0;
+  if (resolved.symbol.kind == Kind::kTexture || resolved.symbol.kind == Kind::kFunction) {
+    return std::nullopt;
+  }
+  return resolved.type.valid() ? ConversionCost(resolved.type, port.type) : 0;
+}
+
+const Overload* SubgraphChecker::ReportNoOverload(uint32_t index,
+                                                  const std::vector<Resolved>& arguments) {
+  if (ReportUnknownPorts(index)) return nullptr;
+  const Node& node = subgraph_.nodes[index];
+  std::vector<const Overload*> named, complete;
+  for (const Overload& overload : nodes_[index].candidates) {
+    if (!HasAllNames(overload, node)) continue;
+    named.push_back(&overload);
+    if (IsComplete(overload, node)) complete.push_back(&overload);
+  }
+  if (!complete.empty()) {
+    if (!ReportPortThatNeverFits(index, arguments, complete)) ReportSignatures(index, arguments);
+    return nullptr;
+  }
+  if (named.empty()) {
+    ReportSignatures(index, arguments);
+    return nullptr;
+  }
+  // A port that all of them need and that is not there, else the first that the first one needs.
+  auto missing_everywhere = [&](const Port& port) {
+    return std::ranges::all_of(named, [&](const Overload* overload) {
+      const Port* same = FindPort(overload->inputs, port.name);
+      return same && MustBeConnected(*same) && !FindInput(node, port.name);
+    });
+  };
+  const std::vector<Port>& ports = named[0]->inputs;
+  auto missing = std::ranges::find_if(ports, missing_everywhere);
+  if (missing == ports.end()) {
+    missing = std::ranges::find_if(ports, [&](const Port& port) {
+      return MustBeConnected(port) && !FindInput(node, port.name);
+    });
+  }
+  BindDefault({*missing, {"port", missing->name, "node", node.name, missing->range}}, node.range);
+  return nullptr;
+}
+
+// The ports that no overload has.
+bool SubgraphChecker::ReportUnknownPorts(uint32_t index) {
+  const Node& node = subgraph_.nodes[index];
+  bool found = false;
+  for (const Input& input : node.inputs) {
+    std::vector<std::string_view> names;
+    bool known = false, is_output = false;
+    for (const Overload& overload : nodes_[index].candidates) {
+      for (const Port& port : overload.inputs) {
+        known = known || port.name == input.port;
+        if (std::ranges::find(names, port.name) == names.end()) names.push_back(port.name);
+      }
+      is_output = is_output || FindPort(overload.outputs, input.port);
+    }
+    if (known) continue;
+    found = true;
+    std::string hint;
+    if (is_output) {
+      hint = "; that is an output";
+    } else if (!check_.diagnostics.full()) {
+      hint = DidYouMean(input.port, names);
+    }
+    check_.diagnostics.Error(
+        DiagnosticKind::kUnknownPort, input.port_range,
+        fmt::format("{} has no port '{}'{}", BlockText(index), Printable(input.port, 64), hint));
+  }
+  return found;
+}
+
+// Reports each port that none of these overloads lets take what stands there.
+bool SubgraphChecker::ReportPortThatNeverFits(uint32_t index,
+                                              const std::vector<Resolved>& arguments,
+                                              const std::vector<const Overload*>& named) {
+  const Node& node = subgraph_.nodes[index];
+  bool found = false;
+  for (size_t i = 0; i < node.inputs.size(); ++i) {
+    const Input& input = node.inputs[i];
+    std::vector<const Port*> ports;
+    std::vector<std::string> types;
+    for (const Overload* overload : named) {
+      ports.push_back(FindPort(overload->inputs, input.port));
+      std::string type = check_.module.types.Text(ports.back()->type);
+      if (std::ranges::find(types, type) == types.end()) types.push_back(std::move(type));
+    }
+    bool fits = std::ranges::any_of(ports, [&](const Port* port) {
+      return PortCost(*port, input.argument, arguments[i]).has_value();
+    });
+    if (fits) continue;
+    found = true;
+    Target target{*ports[0], {"port", input.port, "node", node.name, ports[0]->range}};
+    if (types.size() == 1) {
+      Bind(target, input.argument, arguments[i]);
+      continue;
+    }
+    bool typed = arguments[i].type.valid();
+    ReportNoValue(target, input.argument, typed ? Resolved{} : arguments[i],
+                  typed ? fmt::format("{}, not {}", Listed(types, " or "),
+                                      check_.module.types.Text(arguments[i].type))
+                        : Listed(types, " or "));
+  }
+  return found;
+}
+
+// Every port fits some overload, but no overload fits them all.
+void SubgraphChecker::ReportSignatures(uint32_t index, const std::vector<Resolved>& arguments) {
+  const Node& node = subgraph_.nodes[index];
+  const ir::Types& types = check_.module.types;
+  std::vector<std::string> given;
+  std::string hint;
+  for (size_t i = 0; i < node.inputs.size(); ++i) {
+    ir::TypeId type = arguments[i].type;
+    given.push_back(
+        fmt::format("{}: {}", Printable(node.inputs[i].port, 64),
+                    type.valid() ? types.Text(type) : ArgumentText(node.inputs[i].argument)));
+    for (size_t j = 0; j < node.inputs.size() && hint.empty() && type.valid(); ++j) {
+      ir::TypeId other = arguments[j].type;
+      if (!other.valid() || !ir::IsVector(type) || !ir::IsVector(other)) continue;
+      if (ir::Width(type) > ir::Width(other)) {
+        hint = ConvertingBlocks(type, other, types, check_.library);
+      }
+    }
+  }
+  Diagnostic& error = check_.diagnostics.Error(
+      DiagnosticKind::kNoOverload, node.block_range,
+      fmt::format("no overload of {} takes {}{}", BlockText(index), Listed(given, ", "), hint));
+  size_t shown = 0;
+  for (const Overload& overload : nodes_[index].candidates) {
+    if (++shown > kMaxSignatures) break;
+    std::vector<std::string> ports;
+    for (const Port& port : overload.inputs) {
+      ports.push_back(fmt::format("{}: {}", port.name, types.Text(port.type)));
+    }
+    SourceRange range = overload.inputs.empty() ? SourceRange{} : overload.inputs[0].range;
+    error.AddNote(range, fmt::format("it takes {}", Listed(ports, ", ")));
+  }
+}
+
+}  // namespace texgraph::graph

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/graph/literal.h"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cmath>
+#include <vector>
+
+#include "compiler/graph/conversion.h"
+
+namespace texgraph::graph {
+namespace {
+
+// From here on a number rounds to infinity as a float: the middle between the largest float and the
+// next power of two.
+constexpr double kFloatOverflow = 0x1.ffffffp127;
+constexpr double kLargestFloat = 0x1.fffffep127;
+
+// What the words of a type are: the scalar of vectors and matrices, or of an array of these.
+std::optional<ir::Scalar> ScalarOfWords(ir::TypeId type, const ir::Types& types) {
+  while (types.Kind(type) == ir::TypeKind::kArray) type = types.ElementType(type, 0);
+  if (ir::IsVector(type)) return ir::ScalarOf(type);
+  if (ir::IsMatrix(type)) return ir::Scalar::kFloat;
+  return std::nullopt;
+}
+
+enum class Encoding : uint8_t { kFits, kUnderflow, kOutOfRange, kWrongKind };
+
+Encoding Encode(double number, bool is_integer, ir::Scalar scalar, uint32_t& word) {
+  switch (scalar) {
+    case ir::Scalar::kBool:
+      return Encoding::kWrongKind;
+    case ir::Scalar::kInt:
+      if (number < -2147483648.0 || number > 2147483647.0) return Encoding::kOutOfRange;
+      if (!is_integer) return Encoding::kWrongKind;
+      word = static_cast<uint32_t>(static_cast<int32_t>(number));
+      return Encoding::kFits;
+    case ir::Scalar::kUint:
+      if (number < 0 || number > 4294967295.0) return Encoding::kOutOfRange;
+      if (!is_integer) return Encoding::kWrongKind;
+      word = static_cast<uint32_t>(number);
+      return Encoding::kFits;
+    case ir::Scalar::kFloat:
+      break;
+  }
+  if (std::fabs(number) >= kFloatOverflow) return Encoding::kOutOfRange;
+  if (std::fabs(number) > kLargestFloat) number = std::copysign(kLargestFloat, number);
+  auto value = static_cast<float>(number);
+  word = std::bit_cast<uint32_t>(value);
+  return value == 0 && number != 0 ? Encoding::kUnderflow : Encoding::kFits;
+}
+
+double Decode(uint32_t word, ir::Scalar scalar) {
+  switch (scalar) {
+    case ir::Scalar::kBool:
+      return word;
+    case ir::Scalar::kInt:
+      return static_cast<int32_t>(word);
+    case ir::Scalar::kUint:
+      return word;
+    case ir::Scalar::kFloat:
+      break;
+  }
+  return std::bit_cast<float>(word);
+}
+
+// A text that other programs read as a number or a bool, and what to write instead.
+std::string_view TextHint(std::string_view text) {
+  for (std::string_view word : {"yes", "Yes", "YES", "on", "On", "ON", "True", "TRUE", "y", "Y"}) {
+    if (text == word) return "; write true";
+  }
+  for (std::string_view word :
+       {"no", "No", "NO", "off", "Off", "OFF", "False", "FALSE", "n", "N"}) {
+    if (text == word) return "; write false";
+  }
+  bool number = !text.empty() && (text[0] == '.' || text[0] == '-' || text[0] == '+' ||
+                                  (text[0] >= '0' && text[0] <= '9'));
+  return number ? "; numbers are decimal and stand without quotes" : "";
+}
+
+std::nullopt_t ReportMismatch(const Argument& argument, ir::TypeId type, const Place& place,
+                              const ir::Types& types, Diagnostics& diagnostics) {
+  std::string_view hint;
+  if (argument.kind == Argument::Kind::kString) hint = TextHint(argument.text);
+  if (argument.kind == Argument::Kind::kNumber && type == ir::kBool) hint = "; write true or false";
+  place.AddNote(diagnostics.Error(place.mismatch, argument.range,
+                                  fmt::format("{} takes {}, got {}{}", place.Text(),
+                                              types.Text(type), ArgumentText(argument), hint)));
+  return std::nullopt;
+}
+
+// The index of number i of a matrix, written row by row, in GLSL's order, column by column.
+size_t MatrixWord(size_t i, size_t size) { return i % size * size + i / size; }
+
+}  // namespace
+
+std::string Place::Text() const {
+  std::string text = fmt::format("{} '{}'", kind, Printable(name, 64));
+  if (!owner_kind.empty()) text += fmt::format(" of {} '{}'", owner_kind, Printable(owner, 64));
+  return text;
+}
+
+void Place::AddNote(Diagnostic& diagnostic) const {
+  if (declared.source.valid()) {
+    diagnostic.AddNote(declared, fmt::format("the {} is declared here", kind));
+  }
+}
+
+std::string NumberText(double number) {
+  if (std::fabs(number) < 1e15 && number == std::floor(number))
+    return fmt::format("{:.0f}", number);
+  return fmt::format("{}", number);
+}
+
+std::string ArgumentText(const Argument& argument) {
+  switch (argument.kind) {
+    case Argument::Kind::kNumber: {
+      if (argument.numbers.empty()) return "nothing";
+      std::string text = NumberText(argument.numbers[0]);
+      bool whole = text.find_first_not_of("-0123456789") == std::string::npos;
+      return whole && !argument.is_integer ? text + ".0" : text;
+    }
+    case Argument::Kind::kBool:
+      return argument.boolean ? "true" : "false";
+    case Argument::Kind::kVector:
+      return fmt::format("{} number{}{}", argument.numbers.size(),
+                         argument.numbers.size() == 1 ? "" : "s",
+                         argument.is_integer ? "" : " with fractions");
+    case Argument::Kind::kString:
+      return fmt::format("the text '{}'", Printable(argument.text, 64));
+  }
+  return "";
+}
+
+std::optional<int> LiteralCost(const Argument& argument, ir::TypeId type, const ir::Types& types) {
+  std::optional<ir::Scalar> scalar = ScalarOfWords(type, types);
+  if (!scalar || argument.kind == Argument::Kind::kString) return std::nullopt;
+  if (argument.kind == Argument::Kind::kBool) {
+    return ConversionCost(ir::kBool, type);
+  }
+  if (*scalar == ir::Scalar::kBool) return std::nullopt;
+  int cost = 0;
+  if (*scalar == ir::Scalar::kFloat) {
+    cost = argument.is_integer ? 1 : 0;
+  } else if (!argument.is_integer) {
+    return std::nullopt;
+  }
+  if (argument.kind == Argument::Kind::kNumber) {
+    if (!ir::IsVector(type)) return std::nullopt;
+    return ir::IsScalar(type) ? cost : cost + 1;
+  }
+  bool fits = !ir::IsScalar(type) && argument.numbers.size() == types.Words(type);
+  return fits ? std::optional<int>(cost) : std::nullopt;
+}
+
+std::optional<ir::ConstId> MakeLiteral(const Argument& argument, ir::TypeId type,
+                                       const Place& place, ir::Module& module,
+                                       Diagnostics& diagnostics) {
+  const ir::Types& types = module.types;
+  auto mismatch = [&] { return ReportMismatch(argument, type, place, types, diagnostics); };
+  std::optional<ir::Scalar> scalar = ScalarOfWords(type, types);
+  if (!scalar || argument.kind == Argument::Kind::kString) return mismatch();
+  std::vector<uint32_t> words(types.Words(type), argument.boolean ? 1 : 0);
+  if (argument.kind == Argument::Kind::kBool) {
+    if (!LiteralCost(argument, type, types)) return mismatch();
+    return module.Intern(type, words);
+  }
+  bool splat = argument.kind == Argument::Kind::kNumber && ir::IsVector(type);
+  bool list = argument.kind == Argument::Kind::kVector && !ir::IsScalar(type);
+  if (!splat && !(list && argument.numbers.size() == words.size())) return mismatch();
+  for (size_t i = 0; i < words.size(); ++i) {
+    double number = argument.numbers[splat ? 0 : i];
+    uint32_t& word = words[ir::IsMatrix(type) ? MatrixWord(i, ir::MatrixSize(type)) : i];
+    switch (Encode(number, argument.is_integer, *scalar, word)) {
+      case Encoding::kFits:
+        break;
+      case Encoding::kUnderflow:
+        diagnostics.Warn(
+            DiagnosticKind::kNumberUnderflow, argument.range,
+            fmt::format("{} is too small for a float and becomes 0", NumberText(number)));
+        break;
+      case Encoding::kOutOfRange:
+        place.AddNote(
+            diagnostics.Error(DiagnosticKind::kNumberRange, argument.range,
+                              fmt::format("{} takes {}; {} is out of its range", place.Text(),
+                                          types.Text(type), NumberText(number))));
+        return std::nullopt;
+      case Encoding::kWrongKind:
+        return mismatch();
+    }
+  }
+  return module.Intern(type, words);
+}
+
+ir::ConstId ConvertConstant(ir::ConstId constant, ir::TypeId type, ir::Module& module) {
+  ir::TypeId from = module.constant(constant).type;
+  if (from == type) return constant;
+  uint32_t word = module.Words(constant)[0];
+  if (ir::ScalarOf(from) == ir::Scalar::kInt && ir::ScalarOf(type) == ir::Scalar::kFloat) {
+    word = std::bit_cast<uint32_t>(static_cast<float>(static_cast<int32_t>(word)));
+  }
+  std::vector<uint32_t> words(module.types.Words(type), word);
+  return module.Intern(type, words);
+}
+
+bool CheckLimits(ir::ConstId constant, const ValueLimits& limits, SourceRange range,
+                 const Place& place, const ir::Module& module, Diagnostics& diagnostics) {
+  if (!limits.minimum && !limits.maximum) return true;
+  std::optional<ir::Scalar> scalar = ScalarOfWords(module.constant(constant).type, module.types);
+  if (!scalar || *scalar == ir::Scalar::kBool) return true;
+  // Limits are compared as what the value is: 0.1 is not above the limit 0.1 for being a float.
+  auto rounded = [&](double limit) {
+    bool as_float = *scalar == ir::Scalar::kFloat && std::fabs(limit) <= kLargestFloat;
+    return as_float ? static_cast<double>(static_cast<float>(limit)) : limit;
+  };
+  for (uint32_t word : module.Words(constant)) {
+    double value = Decode(word, *scalar);
+    bool below = limits.minimum && value < rounded(*limits.minimum);
+    bool above = limits.maximum && value > rounded(*limits.maximum);
+    if (!below && !above) continue;
+    std::string bounds =
+        limits.minimum && limits.maximum
+            ? fmt::format("from {} to {}", NumberText(*limits.minimum), NumberText(*limits.maximum))
+        : limits.minimum ? fmt::format("from {} on", NumberText(*limits.minimum))
+                         : fmt::format("up to {}", NumberText(*limits.maximum));
+    std::string shown = *scalar == ir::Scalar::kFloat ? fmt::format("{}", static_cast<float>(value))
+                                                      : NumberText(value);
+    place.AddNote(
+        diagnostics.Error(DiagnosticKind::kValueRange, range,
+                          fmt::format("{} takes values {}, got {}", place.Text(), bounds, shown)));
+    return false;
+  }
+  return true;
+}
+
+}  // namespace texgraph::graph
