@@ -3,11 +3,12 @@
 /// @param vector the vector
 /// @param x first component
 /// @param y second component
-/// @param z third component
 void components(vec2 vector, out float x, out float y) {
   x = vector.x;
   y = vector.y;
 }
+
+/// @param z third component
 void components(vec3 vector, out float x, out float y, out float z) {
   x = vector.x;
   y = vector.y;

@@ -4,8 +4,6 @@
 /// @source O'Neill, PCG: A Family of Simple Fast Space-Efficient Statistically Good Algorithms for Random Number Generation,
 ///   2014, section 6.3.4; nesting: Jarzynski and Olano, Hash Functions for GPU Rendering, JCGT 9(3), 2020, section 4.3
 /// @param value an integer
-/// @param cell column and row
-/// @param seed another seed gives other bits for all cells @default 0
 /// @return 32 random bits
 uint hash(uint value) {
   uint state = value * 747796405u + 2891336453u;
@@ -13,4 +11,6 @@ uint hash(uint value) {
   return (word >> 22u) ^ word;
 }
 
+/// @param cell column and row
+/// @param seed another seed gives other bits for all cells @default 0
 uint hash(ivec2 cell, uint seed) { return hash(uint(cell.x) + hash(uint(cell.y) + hash(seed))); }
