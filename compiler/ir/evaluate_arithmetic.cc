@@ -98,7 +98,7 @@ bool Arithmetic(Op op, Operands x, uint32_t n, uint32_t* r) {
     case Op::kSmoothstep:
       Map<float>(x[0], x[1], x[2], n, r, [](float e0, float e1, float a) {
         float t = Min(Max((a - e0) / (e1 - e0), 0.0f), 1.0f);
-        return t * t * (3.0f - 2.0f * t);
+        return t * (t * (3.0f - 2.0f * t));
       });
       return true;
     // Two roundings: GLSL lets an implementation choose, and dialects without fma are given a * b +

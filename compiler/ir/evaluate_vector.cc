@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vectors and matrices. Sums go from the first component to the last, each product and sum rounded.
+// Vectors and matrices, each product and sum rounded. As in Mesa, dot products add from the last
+// component to the first, and a matrix times a column adds its columns from the first to the last.
 #include <cmath>
 
 #include "compiler/ir/evaluate_families.h"
@@ -17,8 +18,8 @@ struct VectorView {
 };
 
 float Dot(VectorView a, VectorView b, uint32_t width, uint32_t lane) {
-  float sum = a(0, lane) * b(0, lane);
-  for (uint32_t i = 1; i < width; ++i) sum += a(i, lane) * b(i, lane);
+  float sum = a(width - 1, lane) * b(width - 1, lane);
+  for (uint32_t i = width - 1; i-- > 0;) sum += a(i, lane) * b(i, lane);
   return sum;
 }
 
@@ -29,10 +30,11 @@ float Length(VectorView a, uint32_t width, uint32_t lane) {
 
 float Distance(VectorView a, VectorView b, uint32_t width, uint32_t lane) {
   if (width == 1) return std::fabs(a(0, lane) - b(0, lane));
-  float sum = 0.0f;
-  for (uint32_t i = 0; i < width; ++i) {
+  float last = a(width - 1, lane) - b(width - 1, lane);
+  float sum = last * last;
+  for (uint32_t i = width - 1; i-- > 0;) {
     float difference = a(i, lane) - b(i, lane);
-    sum = i == 0 ? difference * difference : sum + difference * difference;
+    sum += difference * difference;
   }
   return std::sqrt(sum);
 }
@@ -117,10 +119,13 @@ bool Matrices(const OpArguments& arguments, uint32_t* r) {
     for (uint32_t row = 0; row < rows; ++row) {
       uint32_t* to = r + (column * rows + row) * lanes;
       for (uint32_t lane = 0; lane < lanes; ++lane) {
-        float sum = a(row, lane) * b(column * size, lane);
-        for (uint32_t i = 1; i < size; ++i) {
-          sum += a(i * rows + row, lane) * b(column * size + i, lane);
-        }
+        // The i-th term of a row's dot product or of a sum of columns.
+        auto term = [&](uint32_t i) {
+          return a(i * rows + row, lane) * b(column * size + i, lane);
+        };
+        const bool backwards = rows == 1;
+        float sum = term(backwards ? size - 1 : 0);
+        for (uint32_t i = 1; i < size; ++i) sum += term(backwards ? size - 1 - i : i);
         to[lane] = Word(sum);
       }
     }

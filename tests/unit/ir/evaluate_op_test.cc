@@ -221,6 +221,21 @@ TEST(EvaluateOp, SmoothstepIsFlatOutsideAndHalfInTheMiddle) {
   }
 }
 
+// t * (t * (3 - 2t)): a value at which t * t * (3 - 2t) rounds differently, as a reminder that the
+// order is part of the meaning.
+TEST(EvaluateOp, SmoothstepMultipliesFromTheRight) {
+  int differing = 0;
+  for (int i = 1; i < 1000; ++i) {
+    float t = static_cast<float>(i) / 1000.0f;
+    float slope = static_cast<float>(3.0 - 2.0 * double{t});
+    float inner = static_cast<float>(double{t} * slope);
+    EXPECT_EQ(F3(Op::kSmoothstep, 0, 1, t), static_cast<float>(double{t} * inner));
+    float square = static_cast<float>(double{t} * double{t});
+    if (static_cast<float>(double{square} * slope) != F3(Op::kSmoothstep, 0, 1, t)) ++differing;
+  }
+  EXPECT_GT(differing, 0);
+}
+
 TEST(EvaluateOp, SignIsOneOfThree) {
   EXPECT_EQ(F1(Op::kSign, 1e-45f), 1);
   EXPECT_EQ(F1(Op::kSign, -kInf), -1);
@@ -488,6 +503,18 @@ TEST(EvaluateOp, VectorProducts) {
   EXPECT_FLOAT_EQ(AsFloat(n[1]), 0.8f);
   EXPECT_TRUE(std::isnan(AsFloat(Compute(Op::kNormalize, kVec2, {kVec2}, {Words({0, 0})})[0])));
   EXPECT_EQ(F1(Op::kNormalize, -1e-30f), -1);
+}
+
+// 1e8 swallows 1 and 1e8 - 1e8 leaves it: the order of the sums shows.
+TEST(EvaluateOp, SumsGoInMesasOrder) {
+  std::vector<uint32_t> a = Words({1, 1e8f, -1e8f}), ones = Words({1, 1, 1});
+  EXPECT_EQ(Compute(Op::kDot, kFloat, {kVec3, kVec3}, {a, ones}), Words({1}));
+  EXPECT_EQ(Compute(Op::kDot, kFloat, {kVec3, kVec3}, {Words({1e8f, -1e8f, 1}), ones}), Words({0}));
+  // A row is a dot product with each column; a column is a sum of columns, from the first.
+  std::vector<uint32_t> rows = Words({1, 0, 0, 1e8f, 0, 0, -1e8f, 0, 0});
+  EXPECT_EQ(Compute(Op::kMatMul, kVec3, {kMat3, kVec3}, {rows, ones}), Words({0, 0, 0}));
+  std::vector<uint32_t> columns = Words({1, 1e8f, -1e8f, 0, 0, 0, 0, 0, 0});
+  EXPECT_EQ(Compute(Op::kMatMul, kVec3, {kVec3, kMat3}, {ones, columns}), Words({1, 0, 0}));
 }
 
 TEST(EvaluateOp, MatrixProductsAreOfColumns) {
