@@ -52,8 +52,8 @@ struct Port {
 };
 
 struct Overload {
-  std::vector<Port>
-      inputs;  // the file's fields in its order, then the function's parameters that are not `out`
+  // The file's fields in its order, then the function's parameters that are not `out`.
+  std::vector<Port> inputs;
   // The return value first (named "result"), then the out parameters.
   std::vector<Port> outputs;
   ir::TypeId gen_type;    // what genType stands for here; invalid if nothing of it is generic

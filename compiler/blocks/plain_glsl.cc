@@ -48,7 +48,10 @@ class Writer {
   void WriteCalled(const File& file) {
     if (!written_.insert(file.name).second) return;
     for (const Expr& expr : file.ast->exprs) {
-      bool own = file.functions_by_name.contains(expr.name);
+      bool own = file.functions_by_name.contains(expr.name) ||
+                 std::ranges::any_of(file.fields, [&](const FieldInfo& field) {
+                   return field.ast->name == expr.name;
+                 });
       if (expr.kind != ExprKind::kCall || own || written_.contains(std::string(expr.name)))
         continue;
       if (!library_.Exists(expr.name)) continue;
