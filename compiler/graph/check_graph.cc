@@ -206,6 +206,16 @@ void GraphChecker::CheckFunctions() {
   }
 }
 
+// Every port and output has its source.
+bool IsWhole(const CheckedGraph& graph, const CheckedSubgraph& subgraph) {
+  if (subgraph.outputs.size() != subgraph.subgraph->outputs.size()) return false;
+  return std::ranges::all_of(subgraph.nodes, [&](const CheckedNode& node) {
+    size_t ports = node.block ? node.overload->inputs.size()
+                              : graph.functions[node.function].input_types.size();
+    return node.inputs.size() == ports;
+  });
+}
+
 }  // namespace
 
 std::optional<CheckedGraph> CheckGraph(const Graph& graph, const std::vector<Setting>& settings,
@@ -213,7 +223,12 @@ std::optional<CheckedGraph> CheckGraph(const Graph& graph, const std::vector<Set
                                        Diagnostics& diagnostics) {
   size_t errors_before = diagnostics.error_count();
   auto checked = GraphChecker(graph, library, module, diagnostics).Check(settings);
-  if (diagnostics.error_count() > errors_before) return std::nullopt;
+  if (!checked || diagnostics.error_count() > errors_before) return std::nullopt;
+  auto is_whole = [&](const CheckedSubgraph& subgraph) { return IsWhole(*checked, subgraph); };
+  if (!is_whole(checked->main) || !std::ranges::all_of(checked->functions, is_whole)) {
+    diagnostics.Error(DiagnosticKind::kInternal, graph.range, "a mistake of this graph got lost");
+    return std::nullopt;
+  }
   return checked;
 }
 

@@ -68,18 +68,10 @@ CheckedNode SubgraphChecker::BindNode(uint32_t index) {
   if (state.candidates.empty()) return checked;
   std::vector<Resolved> arguments;
   arguments.reserve(node.inputs.size());
-  bool certain = true;
-  for (const Input& input : node.inputs) {
-    const Resolved& resolved = arguments.emplace_back(Resolve(input.argument));
-    bool value = resolved.kind == Resolved::Kind::kSymbol && resolved.symbol.kind != Kind::kTexture;
-    if ((value && !resolved.type.valid()) || resolved.kind == Resolved::Kind::kWrong) {
-      certain = false;
-    }
-  }
+  for (const Input& input : node.inputs) arguments.push_back(Resolve(input.argument));
   const Overload* overload = Choose(index, arguments);
   if (!overload) return checked;
   state.chosen = overload;
-  state.certain = certain || state.candidates.size() == 1;
   if (state.block) checked.overload = overload;
   checked.inputs.reserve(overload->inputs.size());
   for (const Port& port : overload->inputs) {
@@ -90,6 +82,8 @@ CheckedNode SubgraphChecker::BindNode(uint32_t index) {
               : BindDefault(target, node.range);
     if (bound) checked.inputs.push_back(std::move(*bound));
   }
+  // With a port that is wrong another overload may have been meant.
+  state.certain = state.candidates.size() == 1 || checked.inputs.size() == overload->inputs.size();
   return checked;
 }
 
