@@ -366,10 +366,14 @@ Specializer::Callee Specializer::Instance(FunctionId id, const std::vector<Bindi
   return {result, made_.back().is_small};
 }
 
-// A function with one instance keeps its block's name; several are told apart by the node that asked first.
+// A function that is alone keeps its block's name; several are told apart by the node that asked first.
 void Specializer::NameInstances() {
+  std::map<std::string, int> alike;
   for (size_t i = 0; i < made_.size(); ++i) {
-    if (variants_[made_[i].old.index] < 2 || made_[i].suffix.empty()) continue;
+    if (!made_[i].is_small) ++alike[module_.functions[i].display_name];
+  }
+  for (size_t i = 0; i < made_.size(); ++i) {
+    if (made_[i].suffix.empty() || alike[module_.functions[i].display_name] < 2) continue;
     ir::Function& function = module_.functions[i];
     if (!function.display_name.ends_with("_" + made_[i].suffix)) {
       function.display_name += "_" + made_[i].suffix;
