@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// What --help prints. docs/rendering.md says the same at length; a test compares the options of
+// both.
+#pragma once
+
+#include <string_view>
+
+namespace texgraph::cli {
+
+inline constexpr std::string_view kTexgraphHelp = R"(usage: texgraph COMMAND [options] ...
+
+Commands
+  render                draw a texture graph or a compiled shader to a PNG file
+
+'texgraph COMMAND --help' lists a command's options.
+
+  -h, --help            print this, and exit
+  --version             print the version, and exit
+)";
+
+inline constexpr std::string_view kRenderHelp = R"(usage: texgraph render [options] INPUT -o FILE
+
+Draws a texture graph (JSON, JSONC or YAML), or a shader by its manifest, to a PNG file, without a window.
+'-' reads a graph from standard input.
+
+Picture
+  -o FILE               write the picture to FILE, '-' for standard output
+  --size SIZE           WxH, or N for a square, in pixels (default: 512)
+  --uv U0,V0,U1,V1      the part of texture space to draw: left, bottom, right, top (default: 0,0,1,1)
+  --output NAME         the graph's output to draw (default: color, or the first one)
+  --bits N              8 (default) or 16 bits for each channel
+  --time T              the value of the input 'time', in seconds (default: 0)
+
+Graph
+  --set NAME=VALUE      give a parameter another value; may be repeated
+  -I FOLDER             look for blocks in FOLDER before the library; may be repeated
+  --target TARGET       glsl330 (default) or glsl450
+
+Driver
+  --context CONTEXT     auto (default), egl or osmesa
+  --timeout T           give up after so many seconds (default: 60)
+
+Messages
+  --color WHEN          auto (default), always or never
+  -q                    don't say how the picture was made
+  -h, --help            print this, and exit
+
+Exit codes: 0 done, 1 the graph is wrong, 2 the command line is wrong, 3 a file cannot be read or written, 4 a
+limit was reached, 5 there is no context or the driver failed, 70 a mistake of texgraph's own.
+)";
+
+}  // namespace texgraph::cli

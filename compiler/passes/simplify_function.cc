@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/passes/simplify_function.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "compiler/passes/simplify_compact.h"
+
+namespace texgraph::passes {
+namespace {
+
+using ir::ConstId;
+using ir::FunctionId;
+using ir::Op;
+using ir::ValueId;
+
+// A function of straight code that costs no more is copied to where it is called.
+constexpr int kMaxInlinedCost = 4;
+
+// Copies a body; calls follow the new signatures, and the sides of an if know its condition.
+class SimplifyRebuilder : public ir::Rebuilder {
+ public:
+  SimplifyRebuilder(ir::Module& module, const ir::Function& from, const ir::Liveness& live,
+                    ir::Builder& to, const std::vector<CopiedFunction>& copies)
+      : Rebuilder(module, from, live, to), copies_(copies) {}
+
+ protected:
+  std::vector<ValueId> CopyCall(ValueId old) override;
+  void EnterSide(ValueId old_if, bool taken) override;
+  void LeaveSide(ValueId old_if, bool taken) override;
+
+ private:
+  void Learn(ValueId condition, bool value);
+
+  const std::vector<CopiedFunction>& copies_;
+  // What Get gave before a side was entered; one list for each open side.
+  std::vector<std::vector<std::pair<ValueId, ValueId>>> hidden_;
+};
+
+std::vector<ValueId> SimplifyRebuilder::CopyCall(ValueId old) {
+  const FunctionId callee(from_[old].aux);
+  const CopiedFunction& copy = copies_[callee.index];
+  const std::span<const ValueId> old_arguments = from_.Operands(old);
+  const uint32_t count = live_.ResultCount(old);
+  std::vector<ValueId> results(count);
+  bool calls = false;
+  for (uint32_t i = 0; i < count; ++i) {
+    if (!live_.LiveResult(old, i)) continue;
+    const CopiedFunction::Forward& forward = copy.forwards[i];
+    switch (forward.kind) {
+      case CopiedFunction::Forward::Kind::kConst:
+        results[i] = to_.Const(ConstId(forward.id));
+        break;
+      case CopiedFunction::Forward::Kind::kArgument:
+        results[i] = Get(old_arguments[forward.id]);
+        break;
+      case CopiedFunction::Forward::Kind::kNone:
+        calls = true;
+        break;
+    }
+  }
+  if (!calls) return results;
+  std::vector<ValueId> arguments;
+  for (size_t i = 0; i < old_arguments.size(); ++i) {
+    if (copy.keeps_parameter[i]) arguments.push_back(Get(old_arguments[i]));
+  }
+  const ir::Function& function = module_[callee];
+  const uint32_t new_count = static_cast<uint32_t>(function.results.size());
+  std::vector<ValueId> inlined;
+  ValueId call;
+  if (copy.is_inlined) {
+    inlined = CopyInline(module_, function, arguments, to_);
+  } else {
+    call = to_.Call(callee, arguments);
+  }
+  for (uint32_t i = 0; i < count; ++i) {
+    if (results[i] || !live_.LiveResult(old, i)) continue;
+    const uint32_t index = copy.result_index[i];
+    results[i] = copy.is_inlined ? inlined[index] : to_.Result(call, index, new_count);
+  }
+  return results;
+}
+
+void SimplifyRebuilder::EnterSide(ValueId old_if, bool taken) {
+  hidden_.emplace_back();
+  Learn(from_.Operands(old_if)[0], taken);
+}
+
+void SimplifyRebuilder::LeaveSide(ValueId, bool) {
+  for (auto it = hidden_.back().rbegin(); it != hidden_.back().rend(); ++it)
+    Set(it->first, it->second);
+  hidden_.pop_back();
+}
+
+// Inside a side, the condition and what follows from it are constants.
+void SimplifyRebuilder::Learn(ValueId condition, bool value) {
+  std::vector<std::pair<ValueId, bool>> known{{condition, value}};
+  while (!known.empty()) {
+    auto [v, is] = known.back();
+    known.pop_back();
+    const Op op = from_[v].op;
+    const bool passes_on = op == Op::kLogicalNot || op == (is ? Op::kLogicalAnd : Op::kLogicalOr);
+    if (op == Op::kConst || from_[v].type != ir::kBool) continue;
+    hidden_.back().emplace_back(v, Get(v));
+    Set(v, to_.Bool(is));
+    if (!passes_on) continue;
+    for (ValueId operand : from_.Operands(v))
+      known.emplace_back(operand, op == Op::kLogicalNot ? !is : is);
+  }
+}
+
+bool IsSmall(const ir::Function& function) {
+  int cost = 0;
+  for (ValueId v : function.Body().body) {
+    const Op op = function[v].op;
+    if (op == Op::kIf || op == Op::kFor || op == Op::kCall || op == Op::kCallField ||
+        op == Op::kFieldRef) {
+      return false;
+    }
+    cost += ir::Info(op).cost;
+    if (cost > kMaxInlinedCost) return false;
+  }
+  return true;
+}
+
+CopiedFunction::Forward ForwardOf(const ir::Function& function, ValueId result,
+                                  const std::vector<uint32_t>& old_index) {
+  using Kind = CopiedFunction::Forward::Kind;
+  const ir::Inst& inst = function[result];
+  if (inst.op == Op::kConst) return {Kind::kConst, inst.aux};
+  // Of the function, not of a loop: a loop's parameters are out of scope here.
+  if (inst.op == Op::kParam) return {Kind::kArgument, old_index[inst.aux]};
+  return {};
+}
+
+}  // namespace
+
+bool CopiedFunction::ConcernsCallers() const {
+  if (is_inlined || std::ranges::find(keeps_parameter, false) != keeps_parameter.end()) return true;
+  if (std::ranges::find(result_index, kGone) != result_index.end()) return true;
+  return std::ranges::any_of(forwards,
+                             [](const Forward& f) { return f.kind != Forward::Kind::kNone; });
+}
+
+bool FunctionSimplifier::Run(FunctionId id, const FunctionPlan& plan, bool may_inline) {
+  const ir::Function& from = module_[id];
+  CopiedFunction& copy = copies_[id.index];
+  ir::Function made;
+  made.name = from.name;
+  made.display_name = from.display_name;
+  made.origin = from.origin;
+  std::vector<uint32_t> old_index;  // by new parameter
+  {
+    ir::Builder builder(module_, made, {.fold = true, .rules = &rules_});
+    ir::Liveness live(module_, from, id, &plan.use);
+    SimplifyRebuilder rebuilder(module_, from, live, builder, copies_);
+    for (size_t i = 0; i < from.parameters.size(); ++i) {
+      const ValueId param = from.Body().params[i];
+      copy.keeps_parameter[i] = plan.use.Parameter(id, i);
+      if (copy.keeps_parameter[i]) {
+        rebuilder.Set(param, builder.AddParameter(from.parameters[i]));
+        old_index.push_back(static_cast<uint32_t>(i));
+      } else if (plan.constants[i]) {
+        rebuilder.Set(param, builder.Const(plan.constants[i]));
+      }
+    }
+    rebuilder.CopyRegion(from.body);
+    std::vector<ValueId> results;
+    for (size_t i = 0; i < from.results.size(); ++i) {
+      copy.result_index[i] = CopiedFunction::kGone;
+      if (!plan.use.Result(id, i)) continue;
+      copy.result_index[i] = static_cast<uint32_t>(results.size());
+      made.results.push_back(from.results[i]);
+      results.push_back(rebuilder.Get(from.Body().results[i]));
+    }
+    builder.Return(results);
+  }
+  const bool again = Compact(module_, made);
+  for (size_t i = 0; i < copy.forwards.size(); ++i) {
+    copy.forwards[i] = {};
+    const uint32_t index = copy.result_index[i];
+    if (may_inline && index != CopiedFunction::kGone) {
+      copy.forwards[i] = ForwardOf(made, made.Body().results[index], old_index);
+    }
+  }
+  copy.is_inlined = may_inline && IsSmall(made);
+  module_[id] = std::move(made);
+  return again;
+}
+
+}  // namespace texgraph::passes
