@@ -248,14 +248,13 @@ Expr* Parser::ParseCall(uint32_t begin, TypeName* type) {
   }
   ++at_;  // the parenthesis
   if (At(TokenKind::kIdentifier) && Text() == "void" && Kind(1) == TokenKind::kRightParen) ++at_;
-  while (!At(TokenKind::kRightParen)) {
+  if (Accept(TokenKind::kRightParen)) return Finish(&expr, begin);
+  do {
     Expr* arg = ParseExpression();
     if (!arg) return nullptr;
     expr.args.push_back(arg);
-    if (At(TokenKind::kRightParen)) break;
-    if (!Expect(TokenKind::kComma, "between arguments")) return nullptr;
-  }
-  ++at_;
+  } while (Accept(TokenKind::kComma));
+  if (!Expect(TokenKind::kRightParen, "or ',' after the argument")) return nullptr;
   return Finish(&expr, begin);
 }
 

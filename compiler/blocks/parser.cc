@@ -272,13 +272,11 @@ void Parser::ParseFunctionOrVariable(DocLines docs) {
 bool Parser::ParseParameters(FunctionAst& function) {
   ++at_;
   if (At(TokenKind::kIdentifier) && Text() == "void" && Kind(1) == TokenKind::kRightParen) ++at_;
-  while (!At(TokenKind::kRightParen)) {
+  if (Accept(TokenKind::kRightParen)) return true;
+  do {
     if (!ParseParameter(function)) return false;
-    if (At(TokenKind::kRightParen)) break;
-    if (!Expect(TokenKind::kComma, "between parameters")) return false;
-  }
-  ++at_;
-  return true;
+  } while (Accept(TokenKind::kComma));
+  return Expect(TokenKind::kRightParen, "or ',' after the parameter");
 }
 
 bool Parser::ParseParameter(FunctionAst& function) {
