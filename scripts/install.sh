@@ -12,7 +12,7 @@ packages=(
   # the renderer
   libegl-dev libgl-dev libgl1-mesa-dri libegl1 libjpeg-dev libosmesa6 libpng-dev zlib1g-dev
   # tests and benchmarks
-  glslang-tools libbenchmark-dev libgmock-dev libgtest-dev libvalijson-dev nlohmann-json3-dev
+  glslang-tools libbenchmark-dev libgmock-dev libgtest-dev libvalijson-dev nlohmann-json3-dev spirv-headers
 )
 
 missing=()

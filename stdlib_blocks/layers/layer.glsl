@@ -31,8 +31,8 @@ vec4 image(vec2 uv);
 // where the neighbour goes on. Beyond the size of a cell the pixel's footprint counts as the cell, so that far away the
 // coverage is the share of the cell that the element takes.
 float coverage(vec2 q, vec2 cell_in_q, vec2 local) {
-  vec2 width = clamp(footprint(q), vec2(1e-5), cell_in_q);
-  vec2 share = (min(q + 0.5 * width, 1.0) - max(q - 0.5 * width, 0.0)) / width;
+  vec2 density = 1.0 / clamp(footprint(q), vec2(1e-5), cell_in_q);
+  vec2 share = min((0.5 - abs(q - 0.5)) * density + 0.5, density);
   vec2 cell_width = clamp(footprint(local), 1e-5, 1.0);
   vec2 inside = clamp((0.5 - abs(local - 0.5)) / cell_width + 0.5, 0.5, 1.0);
   vec2 covered = clamp(share / inside, 0.0, 1.0);
@@ -48,9 +48,10 @@ void layer(Tile tile, vec2 position_min, vec2 position_max, vec2 scale, vec2 rot
   float side = fit == FIT_CONTAIN ? min(tile.size.x, tile.size.y) : max(tile.size.x, tile.size.y);
   vec2 frame = fit == FIT_STRETCH ? tile.size : vec2(side);
   vec2 along = fit == FIT_STRETCH ? vec2(1.0) : tile.size / side;
-  vec2 across = vec2(tile.size.y, -tile.size.x) / frame;
+  vec2 across = sin(angle) * (vec2(tile.size.y, -tile.size.x) / frame);
   vec2 p = tile.local - mix(position_min, position_max, random2(seed, -1));
-  vec2 q = (cos(angle) * along * p + sin(angle) * across * p.yx) / size + 0.5;
+  float shrink = 1.0 / size;
+  vec2 q = (cos(angle) * (along * p) + across * p.yx) * shrink + 0.5;
   inner.cell = tile.cell;
   inner.local = q;
   inner.size = size * frame;
@@ -61,5 +62,5 @@ void layer(Tile tile, vec2 position_min, vec2 position_max, vec2 scale, vec2 rot
   if (chance < 1.0 && luck.y >= chance) {
     color.a = 0.0;
   }
-  color.a *= mix(opacity.x, opacity.y, luck.x) * coverage(q, along / size, tile.local);
+  color.a *= mix(opacity.x, opacity.y, luck.x) * coverage(q, along * shrink, tile.local);
 }

@@ -10,7 +10,7 @@
 /// @param b value of the others @default 1
 genType checker(vec2 uv, vec2 scale, genType a, genType b) {
   vec2 p = uv * scale;
-  vec2 width = max(footprint(p), 1e-5);
+  vec2 width = max(footprint(p), 1e-4);
   vec2 near = abs(fract((p - 0.5 * width) * 0.5) - 0.5);
   vec2 far = abs(fract((p + 0.5 * width) * 0.5) - 0.5);
   vec2 wave = 2.0 * (near - far) / width;

@@ -5,8 +5,7 @@
 /// @param size width and height @default vec2(1)
 float rectangle(vec2 uv, vec2 center, vec2 size) {
   vec2 width = max(footprint(uv), 1e-7);
-  vec2 from_center = abs(uv - center);
-  vec2 share = (min(from_center + 0.5 * width, 0.5 * size) - max(from_center - 0.5 * width, -0.5 * size)) / width;
-  share = max(share, 0.0);
+  vec2 share = min((0.5 * size - abs(uv - center)) / width + 0.5, size / width);
+  share = clamp(share, 0.0, 1.0);
   return share.x * share.y;
 }

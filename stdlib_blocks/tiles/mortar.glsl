@@ -13,7 +13,7 @@ vec2 brick_integral(vec2 p, vec2 joint) {
 /// @param width width of a joint, in texture space; at most the tile's shorter side @default 0.01 @range 0 1
 float mortar(Tile tile, float width) {
   vec2 joint = 0.5 * width / tile.size;
-  vec2 half_pixel = 0.5 * max(footprint(tile.local), 1e-5);
+  vec2 half_pixel = 0.5 * max(footprint(tile.local), 1e-4);
   vec2 brick = (brick_integral(tile.local + half_pixel, joint) -
                 brick_integral(tile.local - half_pixel, joint)) /
                (2.0 * half_pixel);

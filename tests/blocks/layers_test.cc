@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: Apache-2.0
+// The layer of a tile against a reference in double precision, and what must hold for every layer:
+// it is rigid in texture space, children move with their parents, edges have the share of the
+// pixel, elements that fill their cell have no seam.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "tests/blocks/reference.h"
+#include "tests/blocks/run_block.h"
+
+namespace texgraph::blocks {
+namespace {
+
+using reference::High16;
+using reference::Low16;
+using reference::Mix;
+using reference::Pcg;
+
+// What the graphs below give for a layer: the image is a function that paints its own coordinate,
+// so the colour shows where in the image a point lies.
+struct Seen {
+  Point q;  // in the image
+  double alpha = 0;
+  Point inner;  // the same from the inner tile
+  Point size;   // of the inner tile
+};
+
+// A graph with one layer, or a parent and a child ("child" not empty); the output is that of the
+// last.
+std::string GraphOf(const std::string& grid, const std::string& parent, const std::string& child) {
+  std::string last = child.empty() ? "parent" : "child";
+  std::string text = R"({"texgraph": 1,
+    "functions": {"where": {"inputs": {"uv": "vec2"}, "nodes": {
+        "p": {"block": "components", "in": {"vector": "uv"}},
+        "c": {"block": "combine4", "in": {"x": "p.x", "y": "p.y"}}}, "outputs": {"color": "c"}}},
+    "nodes": {"grid": {"block": "brick_grid", "in": )" +
+                     grid + R"(},
+      "parent": {"block": "layer", "in": {"tile": "grid", "image": "where")" +
+                     parent + "}}";
+  if (!child.empty()) {
+    text += R"(, "child": {"block": "layer", "in": {"tile": "parent.inner", "image": "where")" +
+            child + "}}";
+  }
+  text += R"(, "parts": {"block": "tile_parts", "in": {"tile": ")" + last + R"(.inner"}},
+      "local": {"block": "components", "in": {"vector": "parts.local"}},
+      "size": {"block": "components", "in": {"vector": "parts.size"}},
+      "local3": {"block": "combine3", "in": {"x": "local.x", "y": "local.y"}},
+      "size3": {"block": "combine3", "in": {"x": "size.x", "y": "size.y"}}},
+    "outputs": {"color": ")" +
+          last + R"(.color", "normal": "local3", "emission": "size3"}})";
+  return text;
+}
+
+std::vector<Seen> RunLayer(const std::string& grid, const std::string& parent,
+                           const std::string& child, const std::vector<Point>& points,
+                           double pixel = 1e-4) {
+  auto outputs = RunGraph(GraphOf(grid, parent, child), points, {pixel, pixel}, 1e-3);
+  std::vector<Seen> seen(points.size());
+  if (outputs.size() != 3) {
+    ADD_FAILURE() << "the graph has no outputs";
+    return seen;
+  }
+  for (size_t i = 0; i < points.size(); ++i) {
+    const Values& color = outputs["color"];
+    seen[i] = {{color.Float(i, 0), color.Float(i, 1)},
+               color.Float(i, 3),
+               {outputs["normal"].Float(i, 0), outputs["normal"].Float(i, 1)},
+               {outputs["emission"].Float(i, 0), outputs["emission"].Float(i, 1)}};
+  }
+  return seen;
+}
+
+std::vector<Point> Scatter(int count) {
+  std::vector<Point> points;
+  for (int i = 0; i < count; ++i) {
+    points.push_back(
+        {std::fmod(0.1234 + 0.7548776662 * i, 1), std::fmod(0.5678 + 0.5698402910 * i, 1)});
+  }
+  return points;
+}
+
+// The reference: a frame with its image's axes in texture space.
+struct Frame {
+  Point origin;  // of the frame's middle
+  double angle = 0;
+  Point size;
+  uint32_t seed = 0;
+};
+
+struct Limits {
+  Point position_min{0.5, 0.5}, position_max{0.5, 0.5};
+  double scale_min = 1, scale_max = 1, rotation_min = 0, rotation_max = 0;
+  bool contain = false;
+  uint32_t stream = 0;
+};
+
+// The middle of the element in texture space, from its parent's frame: position, scale and rotation
+// are drawn from the parent's seed.
+Frame PlaceIn(const Frame& parent, const Limits& limits) {
+  uint32_t seed = Pcg(parent.seed + limits.stream);
+  uint32_t place = Pcg(seed - 1), turn = Pcg(seed - 2);
+  double px = Mix(limits.position_min.x, limits.position_max.x, Low16(place)) - 0.5;
+  double py = Mix(limits.position_min.y, limits.position_max.y, High16(place)) - 0.5;
+  double dx = px * parent.size.x, dy = py * parent.size.y;
+  double c = std::cos(parent.angle), s = std::sin(parent.angle);
+  double scale = Mix(limits.scale_min, limits.scale_max, Low16(turn));
+  double angle =
+      Mix(limits.rotation_min, limits.rotation_max, High16(turn)) * std::numbers::pi / 180;
+  double side = std::fmin(parent.size.x, parent.size.y);
+  Point shape = limits.contain ? Point{side, side} : parent.size;
+  return {{parent.origin.x + c * dx - s * dy, parent.origin.y + s * dx + c * dy},
+          parent.angle + angle,
+          {scale * shape.x, scale * shape.y},
+          seed};
+}
+
+Point InFrame(const Frame& frame, Point p) {
+  double dx = p.x - frame.origin.x, dy = p.y - frame.origin.y;
+  double c = std::cos(frame.angle), s = std::sin(frame.angle);
+  return {(c * dx + s * dy) / frame.size.x + 0.5, (c * dy - s * dx) / frame.size.y + 0.5};
+}
+
+constexpr int kRows = 6, kColumns = 3;
+const char* const kGrid = R"({"rows": 6, "columns": 3, "row_offset": 0})";
+
+Frame CellFrame(Point p) {
+  int column = static_cast<int>(std::floor(p.x * kColumns)),
+      row = static_cast<int>(std::floor(p.y * kRows));
+  return {{(column + 0.5) / kColumns, (row + 0.5) / kRows},
+          0,
+          {1.0 / kColumns, 1.0 / kRows},
+          reference::CellHash(column, row, 0)};
+}
+
+const Limits kParentLimits = {{0.4, 0.45}, {0.6, 0.55}, 0.7, 0.95, -20, 35, false, 0};
+const char* const kParent =
+    R"(, "position_min": [0.4, 0.45], "position_max": [0.6, 0.55], "scale": [0.7, 0.95], "rotation": [-20, 35])";
+const Limits kChildLimits = {{0.1, 0.2}, {0.9, 0.7}, 0.3, 0.6, -180, 180, true, 3};
+const char* const kChild =
+    R"(, "position_min": [0.1, 0.2], "position_max": [0.9, 0.7], "scale": [0.3, 0.6], "rotation": [-180, 180], "fit": "contain", "stream": 3)";
+
+TEST(LayerTest, DrawsWhereTheReferenceSays) {
+  std::vector<Point> points = Scatter(600);
+  std::vector<Seen> parents = RunLayer(kGrid, kParent, "", points);
+  std::vector<Seen> children = RunLayer(kGrid, kParent, kChild, points);
+  for (size_t i = 0; i < points.size(); ++i) {
+    Frame parent = PlaceIn(CellFrame(points[i]), kParentLimits);
+    Frame child = PlaceIn(parent, kChildLimits);
+    Point p = InFrame(parent, points[i]), c = InFrame(child, points[i]);
+    ASSERT_NEAR(parents[i].q.x, p.x, 2e-4);
+    ASSERT_NEAR(parents[i].q.y, p.y, 2e-4);
+    ASSERT_NEAR(children[i].q.x, c.x, 1e-3);
+    ASSERT_NEAR(children[i].q.y, c.y, 1e-3);
+    EXPECT_EQ(parents[i].inner.x, parents[i].q.x);
+    EXPECT_EQ(children[i].inner.y, children[i].q.y);
+    EXPECT_NEAR(children[i].size.x, child.size.x, 1e-5);
+    EXPECT_NEAR(children[i].size.y, child.size.y, 1e-5);
+    bool inside = c.x > 0.001 && c.x < 0.999 && c.y > 0.001 && c.y < 0.999;
+    bool outside = c.x < -0.001 || c.x > 1.001 || c.y < -0.001 || c.y > 1.001;
+    if (inside || outside) {
+      EXPECT_NEAR(children[i].alpha, inside ? 1 : 0, 1e-4) << points[i].x << " " << points[i].y;
+    }
+  }
+}
+
+// Distances in the image, in texture space, are distances on the surface: a turned brick does not
+// shear. Without a reference.
+TEST(LayerTest, IsRigidInTextureSpace) {
+  std::vector<Point> points = Scatter(400);
+  std::vector<Point> moved = points;
+  for (Point& p : moved) {
+    p = {p.x + 0.003, p.y - 0.002};
+  }
+  for (const char* child : {"", kChild}) {
+    std::vector<Seen> a = RunLayer(kGrid, kParent, child, points),
+                      b = RunLayer(kGrid, kParent, child, moved);
+    int compared = 0;
+    for (size_t i = 0; i < points.size(); ++i) {
+      if (CellFrame(points[i]).seed != CellFrame(moved[i]).seed) {
+        continue;
+      }
+      ++compared;
+      double dx = (b[i].q.x - a[i].q.x) * a[i].size.x, dy = (b[i].q.y - a[i].q.y) * a[i].size.y;
+      EXPECT_NEAR(std::hypot(dx, dy), std::hypot(0.003, 0.002), 2e-5);
+    }
+    EXPECT_GT(compared, 300);
+  }
+}
+
+// Where the child lies in its parent's image does not depend on how the parent was moved, turned
+// and scaled.
+TEST(LayerTest, ChildrenMoveWithTheirParents) {
+  std::vector<Point> points = Scatter(300);
+  std::vector<std::string> parents = {
+      R"(, "rotation": 0)",
+      R"(, "rotation": 25, "position_min": [0.3, 0.6], "position_max": [0.3, 0.6], "scale": 0.8)",
+      R"(, "rotation": [-40, 40], "scale": [0.5, 1])"};
+  for (const std::string& parent : parents) {
+    std::vector<Seen> outer = RunLayer(kGrid, parent, "", points),
+                      inner = RunLayer(kGrid, parent, kChild, points);
+    for (size_t i = 0; i < points.size(); ++i) {
+      // The child in a parent that was not moved at all has the cell's own frame around it, with
+      // the parent's seed.
+      Frame cell = CellFrame(points[i]);
+      Frame child = PlaceIn({{0.5 * cell.size.x, 0.5 * cell.size.y}, 0, cell.size, Pcg(cell.seed)},
+                            kChildLimits);
+      Point q = InFrame(child, {outer[i].q.x * cell.size.x, outer[i].q.y * cell.size.y});
+      EXPECT_NEAR(inner[i].q.x, q.x, 2e-3) << parent;
+      EXPECT_NEAR(inner[i].q.y, q.y, 2e-3) << parent;
+    }
+  }
+}
+
+TEST(LayerTest, SiblingsVaryIndependently) {
+  std::vector<Point> points;
+  for (int i = 0; i < 400; ++i) {
+    points.push_back({(i % 20 + 0.5) / kColumns, (i / 20 + 0.5) / kRows});
+  }
+  std::vector<Seen> a =
+      RunLayer(kGrid, R"(, "position_min": 0, "position_max": 1, "stream": 1)", "", points);
+  std::vector<Seen> b =
+      RunLayer(kGrid, R"(, "position_min": 0, "position_max": 1, "stream": 2)", "", points);
+  double covariance = 0;
+  for (size_t i = 0; i < points.size(); ++i) {
+    covariance += (a[i].q.x - 0.5) * (b[i].q.x - 0.5);
+  }
+  EXPECT_LT(std::fabs(covariance / 400 * 12), 5 / std::sqrt(400.0));
+}
+
+// The edge of an element away from the border of its cell: the share of the pixel, exactly.
+TEST(LayerTest, EdgesAreTheShareOfThePixel) {
+  std::vector<Point> points = Scatter(2000);
+  for (double pixel : {0.002, 0.01}) {
+    std::vector<Seen> seen = RunLayer(kGrid, R"(, "scale": 0.5)", "", points, pixel);
+    for (size_t i = 0; i < points.size(); ++i) {
+      Frame cell = CellFrame(points[i]);
+      auto overlap = [&](double p, double middle, double size) {
+        double low = middle - size / 4, high = middle + size / 4;
+        return std::fmax(0, std::fmin(p + pixel / 2, high) - std::fmax(p - pixel / 2, low)) / pixel;
+      };
+      double wanted = overlap(points[i].x, cell.origin.x, cell.size.x) *
+                      overlap(points[i].y, cell.origin.y, cell.size.y);
+      ASSERT_NEAR(seen[i].alpha, wanted, 0.02) << points[i].x << " " << points[i].y;
+    }
+  }
+}
+
+// Elements that fill their cells leave no seam, near or far.
+TEST(LayerTest, FullElementsHaveNoSeam) {
+  std::vector<Point> points = Scatter(1000);
+  for (int i = 0; i < 100; ++i) {
+    points.push_back({i / 100.0, 0.5 / kRows});
+    points.push_back({1.0 / kColumns + (i - 50) * 1e-5, 0.31});
+  }
+  for (double pixel : {0.0005, 0.02, 0.4, 3.0}) {
+    for (const Seen& seen : RunLayer(kGrid, "", "", points, pixel)) {
+      ASSERT_NEAR(seen.alpha, 1, 1e-4) << pixel;
+    }
+  }
+}
+
+// From afar an element shows, on average, the share of the cell that it takes.
+TEST(LayerTest, FarAwayTheCoverageIsTheShareOfTheCell) {
+  std::vector<Point> points = Scatter(2000);
+  for (double scale : {0.3, 0.6, 0.9}) {
+    double sum = 0;
+    for (const Seen& seen :
+         RunLayer(kGrid, R"(, "scale": )" + std::to_string(scale), "", points, 1.5)) {
+      sum += seen.alpha / static_cast<double>(points.size());
+    }
+    EXPECT_NEAR(sum, scale * scale, 0.12) << scale;
+  }
+}
+
+TEST(LayerTest, OpacityAndChance) {
+  std::vector<Point> points;
+  for (int i = 0; i < 4000; ++i) {
+    points.push_back({(i % 80 + 0.5) / kColumns, (i / 80 + 0.5) / kRows});
+  }
+  double low = 1, high = 0, sum = 0;
+  for (const Seen& seen : RunLayer(kGrid, R"(, "opacity": [0.2, 0.6])", "", points)) {
+    low = std::fmin(low, seen.alpha);
+    high = std::fmax(high, seen.alpha);
+    sum += seen.alpha;
+  }
+  EXPECT_GE(low, 0.2 - 1e-5);
+  EXPECT_LE(high, 0.6 + 1e-5);
+  EXPECT_NEAR(sum / 4000, 0.4, 5 * 0.4 / std::sqrt(12 * 4000.0));
+  int drawn = 0;
+  for (const Seen& seen : RunLayer(kGrid, R"(, "chance": 0.3)", "", points)) {
+    drawn += seen.alpha > 0.5;
+    EXPECT_TRUE(seen.alpha < 1e-4 || seen.alpha > 1 - 1e-4);
+  }
+  EXPECT_NEAR(drawn, 1200, 5 * std::sqrt(4000 * 0.3 * 0.7));
+}
+
+TEST(LayerTest, Fit) {
+  std::vector<Point> points = {{0.5 / kColumns, 0.5 / kRows}};
+  Seen stretch = RunLayer(kGrid, "", "", points)[0];
+  Seen contain = RunLayer(kGrid, R"(, "fit": "contain")", "", points)[0];
+  Seen cover = RunLayer(kGrid, R"(, "fit": "cover")", "", points)[0];
+  EXPECT_FLOAT_EQ(stretch.size.x, 1.0f / 3);
+  EXPECT_FLOAT_EQ(stretch.size.y, 1.0f / 6);
+  EXPECT_FLOAT_EQ(contain.size.x, 1.0f / 6);
+  EXPECT_FLOAT_EQ(contain.size.y, 1.0f / 6);
+  EXPECT_FLOAT_EQ(cover.size.x, 1.0f / 3);
+  EXPECT_FLOAT_EQ(cover.size.y, 1.0f / 3);
+}
+
+TEST(LayerTest, TintChangesTheColourAlone) {
+  std::vector<Point> points = {{0.4 / kColumns, 0.7 / kRows}};
+  Seen seen = RunLayer(kGrid, R"(, "tint": [0.5, 2, 1])", "", points)[0];
+  EXPECT_NEAR(seen.q.x, 0.4 * 0.5, 1e-5);
+  EXPECT_NEAR(seen.q.y, 0.7 * 2, 1e-5);
+  EXPECT_EQ(seen.alpha, 1.0);
+}
+
+}  // namespace
+}  // namespace texgraph::blocks

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs blocks of the library on the CPU, so that tests can compare them with mathematics: a single
+// overload on values of its ports (RunBlock), or a graph at points of the texture plane with a
+// given size of pixel (RunGraph), before and after optimisation.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "compiler/ir/type.h"
+
+namespace texgraph::blocks {
+
+// Many values of one type. Word w of value i is at words[w * count + i].
+struct Values {
+  ir::TypeId type;
+  size_t count = 0;
+  std::vector<uint32_t> words;
+
+  float Float(size_t i, size_t component = 0) const;
+  int32_t Int(size_t i, size_t component = 0) const {
+    return static_cast<int32_t>(Uint(i, component));
+  }
+  uint32_t Uint(size_t i, size_t component = 0) const { return words[component * count + i]; }
+};
+
+using Vector = std::vector<double>;  // the components of one value
+
+Values Floats(const std::vector<double>& values);
+Values Ints(const std::vector<int32_t>& values);
+Values Uints(const std::vector<uint32_t>& values);
+Values Bools(const std::vector<bool>& values);
+// Vectors of 2, 3 or 4 floats; ivec2.
+Values Vectors(const std::vector<Vector>& values);
+Values CellsOf(const std::vector<std::pair<int32_t, int32_t>>& cells);
+
+// A word of an enumeration, for a template port.
+struct Word {
+  std::string word;
+};
+
+struct Argument {
+  Argument(std::string name, Values v) : port(std::move(name)), values(std::move(v)) {}
+  Argument(std::string name, Word w) : port(std::move(name)), word(std::move(w.word)) {}
+  std::string port;
+  Values values;     // one value stands for all; for template ports one
+  std::string word;  // instead of `values`
+};
+
+// The outputs by name ("result" for the return value). Ports that are not given have their
+// defaults. The overload is the one whose ports have the names and types of the arguments. Fails
+// the test, with no outputs, if there is none. Values 4q to 4q + 3 are the pixels of a quad for
+// footprints.
+std::map<std::string, Values> RunBlock(std::string_view block,
+                                       const std::vector<Argument>& arguments);
+
+struct Point {
+  double x = 0;
+  double y = 0;
+};
+
+// The graph's outputs at points of the texture plane, `pixel` being how much uv changes from one
+// pixel to the next, to the right and upwards. `text` is a graph in JSON that seems to lie in
+// graphs/brick_wall/, and may use the pictures there. Evaluates it once with all optimisations and
+// once without any, and fails the test where they differ by more than `tolerance`.
+std::map<std::string, Values> RunGraph(std::string_view text, const std::vector<Point>& points,
+                                       Point pixel, double tolerance = 1e-4);
+
+}  // namespace texgraph::blocks
