@@ -237,11 +237,18 @@ std::vector<ValueId> Rebuilder::CopyFor(ValueId old) {
   std::vector<uint32_t> kept;
   for (uint32_t i = 0; i < results.size(); ++i) {
     if (!live_.LiveResult(old, i)) continue;
+    const ValueId param = body.params[i + 1], result = body.results[i];
     ValueId first = Get(from_.Operands(inst)[i]);
-    if (to_.folds() && body.results[i] == body.params[i + 1]) {
+    // A value from outside of the loop: nothing inside has a copy yet.
+    const ValueId outside = to_.folds() ? Get(result) : ValueId();
+    if (to_.folds() && (result == param || outside == first)) {
       // Carried unchanged.
-      Set(body.params[i + 1], first);
+      Set(param, first);
       results[i] = first;
+      continue;
+    }
+    if (outside && !live_.Live(param) && loop.Trips() > 0) {
+      results[i] = outside;
       continue;
     }
     kept.push_back(i);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compiler/passes/simplify_compact.h"
 
-#include <utility>
-#include <vector>
+#include <algorithm>
+#include <span>
 
 #include "compiler/ir/rebuild.h"
 
@@ -13,11 +13,14 @@ using ir::Op;
 using ir::RegionId;
 using ir::ValueId;
 
+// Of one condition: enough for what people write, and bounded for what nobody does.
+constexpr size_t kMaxFacts = 16;
+
 class Compactor {
  public:
-  // `live` is the function's.
-  Compactor(const ir::Liveness& live, ir::Function& function)
-      : live_(live), old_(std::move(function)), new_(function) {
+  // `live` is the function's; it may be asked for single values alone once the function has moved.
+  Compactor(const ir::Module& module, const ir::Liveness& live, ir::Function& function)
+      : types_(module.types), live_(live), old_(std::move(function)), new_(function) {
     new_ = {};
     new_.name = old_.name;
     new_.display_name = old_.display_name;
@@ -37,16 +40,22 @@ class Compactor {
   // The regions that live code has, outer before inner, and which values stay.
   void FindRegions() {
     stays_.assign(old_.insts.size(), false);
+    home_.assign(old_.insts.size(), RegionId());
     region_of_.assign(old_.regions.size(), RegionId());
     AddRegion(old_.body);
     for (size_t i = 0; i < regions_.size(); ++i) {
       ir::Region& region = old_.regions[regions_[i].index];
-      for (ValueId param : region.params) stays_[param.index] = true;
+      for (ValueId param : region.params) {
+        stays_[param.index] = true;
+        home_[param.index] = regions_[i];
+      }
       std::erase_if(region.body, [&](ValueId v) { return !live_.Live(v); });
       for (ValueId v : region.body) {
         stays_[v.index] = true;
+        home_[v.index] = regions_[i];
         Visit(v);
       }
+      if (!TakesResultsInOrder(region)) improvable_ = true;
     }
     for (size_t i = 0; i < old_.insts.size(); ++i) {
       if (old_.insts[i].op == Op::kConst && live_.Live(ValueId(i))) stays_[i] = true;
@@ -87,7 +96,7 @@ class Compactor {
         if (IsChoice(branch)) improvable_ = true;
       } else if (inst.op == Op::kFor) {
         ir::ForLoop loop = old_.loops[inst.aux];
-        if (CarriesUnchanged(old_.regions[loop.body.index])) improvable_ = true;
+        if (CarriesKnown(loop.body, operands)) improvable_ = true;
         loop.body = region_of_[loop.body.index];
         inst.aux = static_cast<uint32_t>(new_.loops.size());
         new_.loops.push_back(loop);
@@ -107,11 +116,38 @@ class Compactor {
            old_.regions[branch.else_region.index].body.empty();
   }
 
-  static bool CarriesUnchanged(const ir::Region& body) {
+  // Whether a loop carries what does not change, or what is known before it and asked for after it.
+  bool CarriesKnown(RegionId id, std::span<const ValueId> initial) const {
+    const ir::Region& body = old_.regions[id.index];
     for (size_t i = 0; i < body.results.size(); ++i) {
-      if (body.results[i] == body.params[i + 1]) return true;
+      const ValueId result = body.results[i], param = body.params[i + 1];
+      if (result == param || result == initial[i]) return true;
+      if (home_[result.index] != id && !live_.Live(param)) return true;
     }
     return false;
+  }
+
+  // The results of a call, an if or a loop are taken at once, in order. Where equal calls were
+  // merged they are not yet.
+  bool TakesResultsInOrder(const ir::Region& region) const {
+    ValueId from;
+    uint32_t next = 0;
+    for (ValueId v : region.body) {
+      const ir::Inst& inst = old_[v];
+      if (HasSeveralResults(v)) {
+        from = v;
+        next = 0;
+        continue;
+      }
+      const bool takes = inst.op == Op::kExtract && HasSeveralResults(old_.Operands(inst)[0]);
+      if (takes && (old_.Operands(inst)[0] != from || inst.aux < next)) return false;
+      if (takes) {
+        next = inst.aux;
+      } else {
+        from = ValueId();
+      }
+    }
+    return true;
   }
 
   void MoveRegions() {
@@ -125,10 +161,18 @@ class Compactor {
     }
   }
 
+  bool HasSeveralResults(ValueId v) const {
+    const ir::Inst& inst = old_[v];
+    return (inst.op == Op::kCall || inst.op == Op::kIf || inst.op == Op::kFor) &&
+           types_.Kind(inst.type) == ir::TypeKind::kTuple;
+  }
+
+  const ir::Types& types_;
   const ir::Liveness& live_;
   ir::Function old_;
   ir::Function& new_;
   std::vector<bool> stays_;
+  std::vector<RegionId> home_;       // of values in bodies and parameters; invalid for constants
   std::vector<RegionId> regions_;    // old ones, by new id
   std::vector<RegionId> region_of_;  // new ones, by old id
   std::vector<ValueId> value_of_;
@@ -148,13 +192,72 @@ bool CarriesDead(const ir::Function& function, const ir::Liveness& live) {
   return false;
 }
 
+// Looks for uses of conditions where they are known. Regions nest at most kMaxRegionDepth deep.
+class KnownUses {
+ public:
+  explicit KnownUses(const ir::Function& function)
+      : function_(function), known_(function.insts.size(), 0) {}
+
+  bool In(RegionId id) {
+    const ir::Region& region = function_.regions[id.index];
+    for (ValueId v : region.body) {
+      const ir::Inst& inst = function_[v];
+      if (AnyKnown(function_.Operands(inst))) return true;
+      if (inst.op == Op::kFor && In(function_.loops[inst.aux].body)) return true;
+      if (inst.op != Op::kIf) continue;
+      const ir::Branch& branch = function_.branches[inst.aux];
+      const ValueId condition = function_.Operands(inst)[0];
+      if (OnSide(branch.then_region, condition, true)) return true;
+      if (OnSide(branch.else_region, condition, false)) return true;
+    }
+    return AnyKnown(region.results);
+  }
+
+ private:
+  bool OnSide(RegionId side, ValueId condition, bool taken) {
+    const auto facts = KnownOnSide(function_, condition, taken);
+    for (const auto& [v, is] : facts) ++known_[v.index];
+    const bool found = In(side);
+    for (const auto& [v, is] : facts) --known_[v.index];
+    return found;
+  }
+
+  bool AnyKnown(std::span<const ValueId> values) const {
+    return std::ranges::any_of(values, [&](ValueId v) { return known_[v.index] > 0; });
+  }
+
+  const ir::Function& function_;
+  std::vector<uint32_t> known_;  // in how many enclosing sides
+};
+
 }  // namespace
+
+std::vector<std::pair<ValueId, bool>> KnownOnSide(const ir::Function& function, ValueId condition,
+                                                  bool taken) {
+  std::vector<std::pair<ValueId, bool>> facts;
+  std::vector<std::pair<ValueId, bool>> work{{condition, taken}};
+  while (!work.empty()) {
+    auto [v, is] = work.back();
+    work.pop_back();
+    const ir::Inst& inst = function[v];
+    if (inst.op == Op::kConst || inst.type != ir::kBool || facts.size() >= kMaxFacts) continue;
+    if (std::ranges::find(facts, std::pair(v, is)) != facts.end()) continue;
+    facts.emplace_back(v, is);
+    if (inst.op == Op::kLogicalNot) {
+      work.emplace_back(function.Operands(inst)[0], !is);
+    } else if (inst.op == (is ? Op::kLogicalAnd : Op::kLogicalOr)) {
+      for (ValueId operand : function.Operands(inst)) work.emplace_back(operand, is);
+    }
+  }
+  return facts;
+}
 
 bool Compact(const ir::Module& module, ir::Function& function) {
   ir::Liveness live(module, function);
   // The next copy leaves these out; until then, everything that they name must stay.
   if (CarriesDead(function, live)) return true;
-  return Compactor(live, function).Run();
+  const bool improvable = Compactor(module, live, function).Run();
+  return improvable || (!function.branches.empty() && KnownUses(function).In(function.body));
 }
 
 }  // namespace texgraph::passes

@@ -30,8 +30,6 @@ class SimplifyRebuilder : public ir::Rebuilder {
   void LeaveSide(ValueId old_if, bool taken) override;
 
  private:
-  void Learn(ValueId condition, bool value);
-
   const std::vector<CopiedFunction>& copies_;
   // What Get gave before a side was entered; one list for each open side.
   std::vector<std::vector<std::pair<ValueId, ValueId>>> hidden_;
@@ -83,30 +81,16 @@ std::vector<ValueId> SimplifyRebuilder::CopyCall(ValueId old) {
 
 void SimplifyRebuilder::EnterSide(ValueId old_if, bool taken) {
   hidden_.emplace_back();
-  Learn(from_.Operands(old_if)[0], taken);
+  for (const auto& [v, is] : KnownOnSide(from_, from_.Operands(old_if)[0], taken)) {
+    hidden_.back().emplace_back(v, Get(v));
+    Set(v, to_.Bool(is));
+  }
 }
 
 void SimplifyRebuilder::LeaveSide(ValueId, bool) {
   for (auto it = hidden_.back().rbegin(); it != hidden_.back().rend(); ++it)
     Set(it->first, it->second);
   hidden_.pop_back();
-}
-
-// Inside a side, the condition and what follows from it are constants.
-void SimplifyRebuilder::Learn(ValueId condition, bool value) {
-  std::vector<std::pair<ValueId, bool>> known{{condition, value}};
-  while (!known.empty()) {
-    auto [v, is] = known.back();
-    known.pop_back();
-    const Op op = from_[v].op;
-    const bool passes_on = op == Op::kLogicalNot || op == (is ? Op::kLogicalAnd : Op::kLogicalOr);
-    if (op == Op::kConst || from_[v].type != ir::kBool) continue;
-    hidden_.back().emplace_back(v, Get(v));
-    Set(v, to_.Bool(is));
-    if (!passes_on) continue;
-    for (ValueId operand : from_.Operands(v))
-      known.emplace_back(operand, op == Op::kLogicalNot ? !is : is);
-  }
 }
 
 bool IsSmall(const ir::Function& function) {
