@@ -2,6 +2,7 @@
 #include "compiler/ir/builder.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 
@@ -112,9 +113,15 @@ ValueId Builder::Append(Op op, TypeId type, std::span<const ValueId> operands, u
   inst.type = type;
   inst.first_operand = static_cast<uint32_t>(function_.operands.size());
   inst.aux = aux;
-  // `operands` may point into function_.operands itself.
-  function_.operands.reserve(function_.operands.size() + operands.size());
-  for (size_t i = 0; i < operands.size(); ++i) function_.operands.push_back(operands[i]);
+  // `operands` may point into function_.operands itself, which may move.
+  std::array<ValueId, 4> few;
+  if (operands.size() <= few.size()) {
+    std::ranges::copy(operands, few.begin());
+    function_.operands.insert(function_.operands.end(), few.begin(), few.begin() + operands.size());
+  } else {
+    std::vector<ValueId> many(operands.begin(), operands.end());
+    function_.operands.insert(function_.operands.end(), many.begin(), many.end());
+  }
   ValueId v(function_.insts.size());
   function_.insts.push_back(inst);
   function_.origins.resize(function_.insts.size());

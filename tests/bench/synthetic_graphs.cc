@@ -36,8 +36,8 @@ std::string NoiseAndMixPairs(int n) {
   for (int i = 0; i < n; ++i) {
     Separate(nodes);
     nodes += fmt::format(
-        "    \"noise{0}\": {{ \"block\": \"value_noise\", \"in\": {{ \"scale\": [{1}.5, {1}.5], \"seed\": {0} }} }},\n"
-        "    \"mix{0}\": {{ \"block\": \"lerp\", \"in\": {{ \"a\": \"{2}\", \"b\": \"noise{0}\", \"amount\": 0.5 }} }}",
+        "    \"cloud{0}\": {{ \"block\": \"value_noise\", \"in\": {{ \"scale\": [{1}.5, {1}.5], \"seed\": {0} }} }},\n"
+        "    \"mix{0}\": {{ \"block\": \"lerp\", \"in\": {{ \"a\": \"{2}\", \"b\": \"cloud{0}\", \"amount\": 0.5 }} }}",
         i, i % 50 + 2, last);
     last = fmt::format("mix{}", i);
   }
