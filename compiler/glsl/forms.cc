@@ -123,6 +123,7 @@ void Forms::FitOperands(uint32_t own_length) {
 }
 
 void Forms::DecideExpression(ValueId v) {
+  ++operation_count_;
   const Inst& inst = function_[v];
   operands_.clear();
   ForEachOperand(function_, v, [&](ValueId o) { operands_.push_back(o); });

@@ -53,6 +53,7 @@ class Forms {
   // Whether a region has statements of its own.
   bool HasStatements(RegionId r) const { return statements_[r.index] > 0; }
   size_t variable_count() const { return variable_count_; }
+  size_t operation_count() const { return operation_count_; }
 
  private:
   static constexpr uint32_t kMaxLength = 72;  // of an expression inside another, in characters
@@ -86,6 +87,7 @@ class Forms {
   std::vector<uint32_t> statements_;  // by region
   std::vector<ValueId> operands_;     // of the value that is being decided
   size_t variable_count_ = 0;
+  size_t operation_count_ = 0;
 };
 
 }  // namespace texgraph::glsl

@@ -22,7 +22,10 @@ FunctionPlan::FunctionPlan(const ir::Module& module, const ir::Function& functio
 Forms FunctionPlan::DecideForms(const ir::Module& module, const ir::Function& function,
                                 const std::vector<bool>& implicit) {
   Forms readable(module, function, uses, implicit, false);
-  if (readable.variable_count() <= kManyVariables) return readable;
+  if (readable.variable_count() <= kManyVariables &&
+      readable.operation_count() <= kManyOperations) {
+    return readable;
+  }
   reuse = true;
   return Forms(module, function, uses, implicit, true);
 }

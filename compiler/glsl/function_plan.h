@@ -9,9 +9,11 @@
 
 namespace texgraph::glsl {
 
-// Drivers lose track of functions with more variables than this (Mesa crashes at some thousands):
-// from here on variables are used again, whatever their names.
+// Mesa takes time that grows with the square of the variables that are written once, and crashes at
+// some thousands of them. Functions with more variables or operations than this use their variables
+// again, whatever their names.
 inline constexpr size_t kManyVariables = 1500;
+inline constexpr size_t kManyOperations = 2500;
 
 struct FunctionPlan {
   FunctionPlan(const ir::Module& module, const ir::Function& function, Uses uses,

@@ -21,18 +21,20 @@ FunctionPrinter::FunctionPrinter(const ir::Module& module, const ir::Function& f
   locals_.Avoid([this](std::string_view name) {
     return (!claiming_named_ && wished_.contains(name)) || names_.Hides(name, plan_.globals);
   });
-  for (size_t i = 0; i < plan.variables.size(); ++i) {
-    VariableId v(i);
-    if (plan.variables.IsRoot(v) && plan.variables[v].name) {
-      wished_.insert(module.Name(plan.variables[v].name));
-    }
-  }
 }
 
 // --- Names -------------------------------------------------------------------------------------
 
 std::string_view FunctionPrinter::Claim(std::string_view wish, bool is_named) {
   claiming_named_ = is_named;
+  if (!is_named && !has_wishes_) {
+    has_wishes_ = true;
+    for (size_t i = 0; i < plan_.variables.size(); ++i) {
+      VariableId v(i);
+      if (!plan_.variables.IsRoot(v) || !plan_.variables[v].name) continue;
+      wished_.insert(module_.Name(plan_.variables[v].name));
+    }
+  }
   return locals_.Claim(wish);
 }
 
@@ -59,11 +61,10 @@ std::string_view FunctionPrinter::NameVariable(VariableId v) {
 
 std::string_view FunctionPrinter::ClaimIndex(const Variable& variable) {
   if (variable.name) return Claim(module_.Name(variable.name), true);
-  claiming_named_ = false;
-  for (std::string_view name : {"i", "j", "k"}) {
-    if (locals_.IsFree(name)) return Claim(name, false);
+  for (std::string_view name : {"i", "j"}) {
+    if (!wished_.contains(name) && locals_.IsFree(name)) return Claim(name, false);
   }
-  return Claim("i", false);
+  return Claim("k", false);
 }
 
 void FunctionPrinter::ClaimParameters() {
@@ -99,9 +100,14 @@ std::string FunctionPrinter::Signature(std::string_view name, std::vector<std::s
 void FunctionPrinter::PrintBlock(std::string_view name) {
   if (ir::OriginId id = function_.origin) {
     const ir::Origin& origin = module_.origins[id.index];
-    std::string comment = "// " + CommentText(origin.block.empty() ? origin.node : origin.block);
-    if (!origin.source.empty()) comment += " (" + CommentText(origin.source) + ")";
-    out_.Line(comment);
+    line_ = "// ";
+    AppendComment(origin.block.empty() ? origin.node : origin.block, line_);
+    if (!origin.source.empty()) {
+      line_ += " (";
+      AppendComment(origin.source, line_);
+      line_ += ')';
+    }
+    out_.Line(line_);
   }
   ClaimParameters();
   std::vector<std::string> parameters;
@@ -207,9 +213,13 @@ void FunctionPrinter::PrintOrigin(const Statement& statement) {
   const ir::Origin& origin = module_.origins[id.index];
   if (origin.node.empty() || origin.node == node_) return;
   node_ = origin.node;
-  std::string comment = "// " + CommentText(origin.node);
-  if (!origin.block.empty()) comment += ": " + CommentText(origin.block);
-  out_.Line(comment);
+  line_ = "// ";
+  AppendComment(origin.node, line_);
+  if (!origin.block.empty()) {
+    line_ += ": ";
+    AppendComment(origin.block, line_);
+  }
+  out_.Line(line_);
 }
 
 bool FunctionPrinter::Declares(VariableId v, size_t position) const {
@@ -244,14 +254,16 @@ void FunctionPrinter::DeclareBefore(size_t position) {
 size_t FunctionPrinter::PrintDefinition(size_t position) {
   ValueId v = schedule_[position].value;
   VariableId variable = plan_.variables.Of(v);
-  std::string line;
+  line_.clear();
   if (!Declares(variable, position)) {
-    expressions_.AppendAssignment(variable, v, true, line);
-    out_.Line(line + ";");
+    expressions_.AppendAssignment(variable, v, true, line_);
+    line_ += ';';
+    out_.Line(line_);
     return position + 1;
   }
-  line = names_.Declaration(function_[v].type, NameVariable(variable)) + " = ";
-  expressions_.AppendDefinition(v, line);
+  names_.AppendDeclaration(function_[v].type, NameVariable(variable), line_);
+  line_ += " = ";
+  expressions_.AppendDefinition(v, line_);
   // Both derivatives of one value stand together.
   const Statement& next = schedule_[position + 1];
   if (function_[v].op == Op::kDfdx && next.kind == Kind::kDefine &&
@@ -259,13 +271,14 @@ size_t FunctionPrinter::PrintDefinition(size_t position) {
       function_.Operands(next.value)[0] == function_.Operands(v)[0] &&
       Declares(plan_.variables.Of(next.value), position + 1) &&
       !HasDeclarationsBefore(position + 1)) {
-    line += ", ";
-    line += NameVariable(plan_.variables.Of(next.value));
-    line += " = ";
-    expressions_.AppendDefinition(next.value, line);
+    line_ += ", ";
+    line_ += NameVariable(plan_.variables.Of(next.value));
+    line_ += " = ";
+    expressions_.AppendDefinition(next.value, line_);
     ++position;
   }
-  out_.Line(line + ";");
+  line_ += ';';
+  out_.Line(line_);
   return position + 1;
 }
 

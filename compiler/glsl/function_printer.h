@@ -67,7 +67,9 @@ class FunctionPrinter {
   NameTable locals_;
   std::unordered_set<std::string_view>
       wished_;  // by values with names; unnamed ones leave them alone
+  bool has_wishes_ = false;
   bool claiming_named_ = false;
+  std::string line_;  // that is being made
   std::vector<std::string>
       targets_;               // by result: the variable that it is assigned to; empty: returned
   size_t next_declared_ = 0;  // into Variables::DeclaredBefore()

@@ -48,12 +48,21 @@ std::string ModuleNames::Type(TypeId id) const {
 }
 
 std::string ModuleNames::Declaration(TypeId type, std::string_view name) const {
-  const ir::Type& t = module_.types[type];
-  bool is_array = t.kind == ir::TypeKind::kArray;
-  std::string text = Type(is_array ? t.elements[0] : type) + " ";
-  text += name;
-  if (is_array) text += "[" + std::to_string(t.length) + "]";
+  std::string text;
+  AppendDeclaration(type, name, text);
   return text;
+}
+
+void ModuleNames::AppendDeclaration(TypeId type, std::string_view name, std::string& out) const {
+  const ir::Type& t = module_.types[type];
+  if (type.index < ir::kBasicTypeCount) {
+    out += t.name;
+  } else {
+    out += Type(t.kind == ir::TypeKind::kArray ? t.elements[0] : type);
+  }
+  out += ' ';
+  out += name;
+  if (t.kind == ir::TypeKind::kArray) out += "[" + std::to_string(t.length) + "]";
 }
 
 void ModuleNames::DeclareArray(ir::ConstId id, std::string_view wish) {
@@ -61,7 +70,7 @@ void ModuleNames::DeclareArray(ir::ConstId id, std::string_view wish) {
 }
 
 bool ModuleNames::Hides(std::string_view name, const std::vector<bool>& globals_of_function) const {
-  if (table_.IsFree(name)) return false;
+  if (!table_.IsTaken(name)) return false;
   if (auto global = global_by_name_.find(name); global != global_by_name_.end()) {
     return globals_of_function[global->second.index];
   }

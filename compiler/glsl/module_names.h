@@ -31,6 +31,7 @@ class ModuleNames {
   std::string Type(TypeId id) const;
   // "vec3 tint", "float weights[4]".
   std::string Declaration(TypeId type, std::string_view name) const;
+  void AppendDeclaration(TypeId type, std::string_view name, std::string& out) const;
   // An array constant; DeclareArray gives it a name.
   const std::string& Array(ir::ConstId id) const { return arrays_.at(id); }
   bool HasArray(ir::ConstId id) const { return arrays_.contains(id); }

@@ -31,12 +31,8 @@ std::string Identifier(std::string_view wish) {
   return name.empty() || name == "_" ? "value" : name;
 }
 
-std::string CommentText(std::string_view text) {
-  std::string out(text.substr(0, 200));
-  for (char& c : out) {
-    if (c < ' ' || c > '~' || c == '\\') c = '_';
-  }
-  return out;
+void AppendComment(std::string_view text, std::string& out) {
+  for (char c : text.substr(0, 200)) out += c < ' ' || c > '~' || c == '\\' ? '_' : c;
 }
 
 // --- NameTable ---------------------------------------------------------------------------------

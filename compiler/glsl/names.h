@@ -19,8 +19,8 @@ namespace texgraph::glsl {
 // "value" if nothing is left.
 std::string Identifier(std::string_view wish);
 
-// Text for a one-line comment: printable ASCII without a backslash, other bytes as '_'.
-std::string CommentText(std::string_view text);
+// Appends text to a one-line comment: printable ASCII without a backslash, other bytes as '_'.
+void AppendComment(std::string_view text, std::string& out);
 
 // What a careful person would call an unnamed value of this operation: "texel", "sum", "uv_dx".
 std::string DescriptiveName(const ir::Module& module, const ir::Function& function, ir::ValueId v);
@@ -36,6 +36,7 @@ class NameTable {
   // Makes a name unavailable.
   void Block(std::string_view name) { Add(std::string(name)); }
   bool IsFree(std::string_view name) const;
+  bool IsTaken(std::string_view name) const { return taken_.contains(name); }
   // Names for which `unwanted` holds are not given either.
   void Avoid(std::function<bool(std::string_view)> unwanted) { unwanted_ = std::move(unwanted); }
 

@@ -13,8 +13,11 @@ namespace {
 using ir::GlobalKind;
 
 // The names of main's variables that come from the graph's nodes.
-std::vector<std::string_view> LocalNames(const ir::Module& module, const FunctionPlan& plan) {
+std::vector<std::string_view> LocalNames(const ir::Module& module, const ModulePlan& all) {
   std::vector<std::string_view> names;
+  const FunctionPlan& plan = *all.functions[module.main.index];
+  // Only functions mind.
+  if (std::ranges::count(all.function_used, true) == 1) return names;
   for (size_t i = 0; i < plan.variables.size(); ++i) {
     VariableId v(i);
     if (plan.variables.IsRoot(v) && plan.variables[v].name) {
@@ -30,8 +33,7 @@ class ShaderPrinter {
       : module_(module),
         options_(options),
         plan_(module),
-        main_(*plan_.functions[module.main.index]),
-        names_(module, plan_.globals, plan_.function_used, LocalNames(module, main_),
+        names_(module, plan_.globals, plan_.function_used, LocalNames(module, plan_),
                options.as_function
                    ? std::string_view(options.name.empty() ? "texture_graph" : options.name)
                    : std::string_view()),
@@ -73,7 +75,6 @@ class ShaderPrinter {
   const ir::Module& module_;
   const PrintOptions& options_;
   ModulePlan plan_;
-  const FunctionPlan& main_;
   ModuleNames names_;
   ShaderInterface interface_;
   std::string text_;
@@ -98,7 +99,7 @@ void ShaderPrinter::PlaceGlobals() {
     bool used = plan_.globals[i];
     switch (global.kind) {
       case GlobalKind::kInput:
-        entry.location = input++;
+        if (HasLayout() && used) entry.location = input++;
         if (used) interface_.inputs.push_back(entry);
         break;
       case GlobalKind::kUniform:
@@ -137,9 +138,12 @@ void ShaderPrinter::Section(std::string_view title) {
 }
 
 void ShaderPrinter::PrintHeader() {
-  std::string by = ", compiled by texgraphc" +
-                   (options_.version.empty() ? "" : " " + CommentText(options_.version));
-  std::string name = options_.name.empty() ? "texgraph" : CommentText(options_.name);
+  std::string name, by = ", compiled by texgraphc";
+  AppendComment(options_.name.empty() ? "texgraph" : options_.name, name);
+  if (!options_.version.empty()) {
+    by += ' ';
+    AppendComment(options_.version, by);
+  }
   if (!options_.as_function) {
     out_.Line("// " + name + ": a fragment shader" + by + ".");
     out_.Line(options_.dialect == Dialect::k450 ? "#version 450 core" : "#version 330");

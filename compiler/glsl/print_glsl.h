@@ -31,7 +31,7 @@ struct ShaderInterface {
   struct Entry {
     ir::GlobalId global;
     std::string name;              // in the shader: the graph's, unless it clashes with another
-    uint32_t location = kNone;     // inputs: the same in all shaders. Uniforms, textures: with k450
+    uint32_t location = kNone;     // inputs, uniforms and textures, with k450
     uint32_t binding = kNone;      // textures, with k450
     uint32_t constant_id = kNone;  // specialisation constants, for_spirv: of the first component
   };

@@ -43,8 +43,8 @@ std::string Validate(const std::vector<uint32_t>& words) {
 
 }  // namespace
 
-std::optional<std::vector<uint32_t>> CompileSpirv(const std::string& glsl, SourceRange where,
-                                                  Diagnostics& diagnostics) {
+std::optional<std::vector<uint32_t>> CompileSpirv(const std::string& glsl, Diagnostics& diagnostics,
+                                                  SourceRange where) {
   if (!StartGlslang()) return Fail(where, "glslang does not start", diagnostics);
   const auto rules = static_cast<EShMessages>(EShMsgDefault | EShMsgSpvRules);
   const char* text = glsl.data();

@@ -15,7 +15,7 @@ namespace texgraph::spirv {
 // The words of a SPIR-V 1.0 module for OpenGL 4.5 (GL_ARB_gl_spirv), with the entry point "main".
 // `glsl` is a fragment shader that texgraph printed in the dialect 450, for SPIR-V; so whatever
 // glslang or spirv-val say against it is texgraph's own mistake, kSpirv, reported at `where`.
-std::optional<std::vector<uint32_t>> CompileSpirv(const std::string& glsl, SourceRange where,
-                                                  Diagnostics& diagnostics);
+std::optional<std::vector<uint32_t>> CompileSpirv(const std::string& glsl, Diagnostics& diagnostics,
+                                                  SourceRange where = {});
 
 }  // namespace texgraph::spirv
