@@ -128,7 +128,8 @@ bool Drawing::MakeFramebuffer() {
   GLint viewport[2] = {0, 0};
   gl_.GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &most);
   gl_.GetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport);
-  const auto limit = static_cast<uint32_t>(std::max(2, std::min({most, viewport[0], viewport[1]})));
+  const auto limit =
+      static_cast<uint32_t>(std::max(2, std::min({most, viewport[0] / 2, viewport[1] / 2})));
   tile_ = std::min(request_.tile, std::bit_floor(limit));
   const auto width = static_cast<GLsizei>(std::min(tile_, request_.width));
   const auto height = static_cast<GLsizei>(std::min(tile_, request_.height));
@@ -173,11 +174,12 @@ bool Drawing::ChooseOutputs() {
   return CheckError("choosing outputs");
 }
 
-// The viewport and the window are those of a square of a power of two, whatever part of it the
-// picture needs: the driver divides by its side, which is then exact, so that uv and its
-// derivatives depend on the tile's place only.
+// The triangle is that of twice a power of two, whatever part of it the picture needs: the driver
+// divides by its side, which is then exact, so that uv and its derivatives depend on the tile's
+// place only. The viewport holds all of it: a triangle that is cut falls into several, and where
+// they meet, derivatives jump.
 void Drawing::DrawTile(uint32_t x, uint32_t y) {
-  const uint32_t side = std::bit_ceil(tile_);
+  const uint32_t side = 2 * std::bit_ceil(tile_);
   const auto& window = request_.window;
   const auto u = [&](uint32_t column) {
     return static_cast<float>(window[0] + (window[2] - window[0]) * column / request_.width);

@@ -27,6 +27,10 @@ GLuint Compile(const GlFunctions& gl, GLenum stage, const std::string& text, std
   return 0;
 }
 
+const std::string& OrName(const std::string& variable, const std::string& name) {
+  return variable.empty() ? name : variable;
+}
+
 template <class T>
 std::vector<T> As(const std::vector<double>& numbers) {
   return std::vector<T>(numbers.begin(), numbers.end());
@@ -83,16 +87,16 @@ std::string VertexShader(const Manifest& manifest) {
     }
     const std::string place =
         input.location && is_450 ? fmt::format("layout(location = {}) ", *input.location) : "";
-    declarations += fmt::format("{}out {} {};\n", place, type, input.name);
-    body += fmt::format("  {} = {};\n", input.name, value);
+    declarations += fmt::format("{}out {} {};\n", place, type, OrName(input.variable, input.name));
+    body += fmt::format("  {} = {};\n", OrName(input.variable, input.name), value);
   }
   return fmt::format(
       "#version {} core\n"
       "layout(location = {}) in vec4 texgraph_window;\n"
       "{}"
       "void main() {{\n"
-      "  vec2 corner = vec2(gl_VertexID == 1 ? 2.0 : 0.0, gl_VertexID == 2 ? 2.0 : 0.0);\n"
-      "  vec2 surface = texgraph_window.xy + corner * (texgraph_window.zw - texgraph_window.xy);\n"
+      "  vec2 corner = vec2(gl_VertexID == 1 ? 1.0 : 0.0, gl_VertexID == 2 ? 1.0 : 0.0);\n"
+      "  vec2 surface = mix(texgraph_window.xy, texgraph_window.zw, equal(corner, vec2(1.0)));\n"
       "{}"
       "  gl_Position = vec4(2.0 * corner - 1.0, 0.0, 1.0);\n"
       "}}\n",
@@ -136,14 +140,16 @@ GLuint LinkProgram(const GlContext& context, const RenderRequest& request, std::
 void SetUniforms(const GlFunctions& gl, GLuint program, const RenderRequest& request) {
   for (const ManifestParameter& parameter : request.manifest.parameters) {
     if (!parameter.is_uniform) continue;
-    const GLint location = gl.GetUniformLocation(program, parameter.name.c_str());
+    const GLint location =
+        gl.GetUniformLocation(program, OrName(parameter.variable, parameter.name).c_str());
     if (location >= 0)
       SetUniform(gl, location, parameter);  // else the driver found that it changes nothing
   }
   for (const ManifestInput& input : request.manifest.inputs) {
     if (input.name != "time") continue;
     const float time = static_cast<float>(request.time);
-    const GLint location = gl.GetUniformLocation(program, "time");
+    const GLint location =
+        gl.GetUniformLocation(program, OrName(input.variable, input.name).c_str());
     if (location >= 0) gl.Uniform1fv(location, 1, &time);
   }
 }

@@ -11,10 +11,11 @@
 
 namespace texgraph::runtime {
 
-// The vertex attribute that holds the uv window of the tile: u0, v0, u1, v1.
+// The vertex attribute that holds the uv of the corners of the viewport: left, bottom, right, top.
 inline constexpr GLuint kWindowAttribute = 1;
 
-// One triangle that covers the viewport. Its outputs are the manifest's inputs, at their locations.
+// One triangle that covers the left bottom half of the viewport. Its outputs are the manifest's
+// inputs, at their locations.
 std::string VertexShader(const Manifest& manifest);
 
 // The program, or 0 with the driver's words in `log` and what failed in `what`.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "compiler/base/builtin_input.h"
+#include "compiler/base/text.h"
 
 namespace texgraph::runtime {
 namespace {
@@ -117,6 +118,10 @@ class Reader {
 void Reader::ReadInput(const DocumentNode& node) {
   ManifestInput input;
   input.name = Text(node, "name");
+  input.variable = Text(node, "variable", false);
+  if (!input.variable.empty() && !IsIdentifier(input.variable)) {
+    Error(node.range, "the 'variable' of an input is an identifier");
+  }
   input.type = Type(node);
   input.location = Integer(node, "location", kMaxLocation);
   for (const BuiltinInput& known : kBuiltinInputs) {
@@ -147,6 +152,7 @@ void Reader::ReadParameter(const DocumentNode& node) {
   ManifestParameter parameter;
   parameter.place = node.range;
   parameter.name = Text(node, "name");
+  parameter.variable = Text(node, "variable", false);
   parameter.type = Type(node);
   parameter.status = Text(node, "status");
   parameter.is_uniform = parameter.status == "uniform";

@@ -21,7 +21,8 @@ namespace texgraph::runtime {
 enum class ShaderDialect : uint8_t { kGlsl330, kGlsl450, kSpirv };
 
 struct ManifestInput {
-  std::string name;  // uv, position, normal or time
+  std::string name;      // uv, position, normal or time
+  std::string variable;  // in the shader, an identifier; "" is the name
   ir::TypeId type;
   std::optional<uint32_t> location;
 };
@@ -34,6 +35,7 @@ struct ManifestOutput {
 
 struct ManifestParameter {
   std::string name;
+  std::string variable;  // the uniform in the shader; "" is the name
   ir::TypeId type;
   bool is_uniform =
       false;  // of the shader; the others were folded, dropped or are specialisation constants

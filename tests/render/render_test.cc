@@ -196,6 +196,24 @@ TEST_P(ContextTest, TilesOfAnySizeAreContinuous) {
   }
 }
 
+// Nothing but one plane: every row has one v, every column one u, whatever the window.
+TEST_P(ContextTest, RowsAndColumnsAreStraight) {
+  for (uint32_t side : {63u, 300u, 512u}) {
+    RenderRequest request =
+        ShaderRequest("", "out_color = vec4(uv, 0.0, 1.0); out_height = 0.0;", side, side);
+    request.window = {-1.3, 0.2, 4.1, 3.9};
+    const RenderResult result = Draw(request);
+    for (uint32_t y = 0; y < side; ++y) {
+      for (uint32_t x = 0; x < side; ++x) {
+        ASSERT_EQ(FloatAt(result.outputs[0], side, x, y, 0),
+                  FloatAt(result.outputs[0], side, x, 0, 0));
+        ASSERT_EQ(FloatAt(result.outputs[0], side, x, y, 1),
+                  FloatAt(result.outputs[0], side, 0, y, 1));
+      }
+    }
+  }
+}
+
 TEST_P(ContextTest, DrawsBeyondTheLargestTexture) {
   RenderRequest request =
       ShaderRequest("", "out_color = vec4(uv, 0.0, 1.0); out_height = 0.0;", 40000, 3);
@@ -237,10 +255,26 @@ TEST_P(ContextTest, ReadsGlsl450WithLocations) {
       "layout(location = 3) out vec4 out_color;\n"
       "void main() { out_color = vec4(uv_of_surface, 0.0, 1.0); }\n";
   request.manifest.dialect = ShaderDialect::kGlsl450;
-  request.manifest.inputs = {{"uv", ir::kVec2, 2}};
+  request.manifest.inputs = {{"uv", "", ir::kVec2, 2}};
   const RenderResult result = Draw(request);
   EXPECT_EQ(FloatAt(result.outputs[0], 4, 1, 2, 0), 0.375f);
   EXPECT_EQ(FloatAt(result.outputs[0], 4, 1, 2, 1), 0.625f);
+}
+
+TEST_P(ContextTest, FollowsOtherNames) {
+  RenderRequest request = ShaderRequest("", "", 4, 4);
+  request.shader =
+      "#version 330 core\n"
+      "in vec2 st; uniform float clock; uniform float amount_2; out vec4 c;\n"
+      "void main() { c = vec4(st, clock, amount_2); }\n";
+  request.manifest.inputs = {{"uv", "st", ir::kVec2, {}}, {"time", "clock", ir::kFloat, {}}};
+  request.manifest.outputs = {{"color", "c", ir::kVec4}};
+  AddUniform(request, "amount", ir::kFloat, {5});
+  request.manifest.parameters[0].variable = "amount_2";
+  request.time = 3;
+  const RenderResult result = Draw(request);
+  const float expected[] = {0.375f, 0.625f, 3.0f, 5.0f};
+  for (uint32_t c = 0; c < 4; ++c) EXPECT_EQ(FloatAt(result.outputs[0], 4, 1, 2, c), expected[c]);
 }
 
 TEST_P(ContextTest, ReportsWhatTheDriverSays) {

@@ -19,10 +19,10 @@ RenderRequest ShaderRequest(const std::string& declarations, const std::string& 
       "layout(location = 0) out vec4 out_color;\n"
       "layout(location = 1) out float out_height;\n" +
       declarations + "\nvoid main() {\n" + body + "\n}\n";
-  request.manifest.inputs = {{"uv", ir::kVec2, {}},
-                             {"position", ir::kVec3, {}},
-                             {"normal", ir::kVec3, {}},
-                             {"time", ir::kFloat, {}}};
+  request.manifest.inputs = {{"uv", "", ir::kVec2, {}},
+                             {"position", "", ir::kVec3, {}},
+                             {"normal", "", ir::kVec3, {}},
+                             {"time", "", ir::kFloat, {}}};
   request.manifest.outputs = {{"height", "out_height", ir::kFloat},
                               {"color", "out_color", ir::kVec4}};
   request.width = width;

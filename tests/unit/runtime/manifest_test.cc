@@ -111,6 +111,7 @@ TEST(ManifestTest, ReportsMistakesAtTheirPlaces) {
       {"\"name\": \"uv\"", "\"name\": \"st\"", "m.json:4:14: error: there is no input 'st'"},
       {"\"name\": \"uv\", \"type\": \"vec2\"", "\"name\": \"uv\", \"type\": \"vec3\"",
        "input 'uv' is a vec2"},
+      {"\"name\": \"uv\"", "\"name\": \"uv\", \"variable\": \"a;b\"", "an input is an identifier"},
       {"\"location\": 3", "\"location\": -1", "'location' must be an integer from 0 to 255"},
       {"\"location\": 3", "\"location\": 1.5", "'location' must be an integer"},
       {"\"out_height\", \"type\": \"float\"", "\"out_height\", \"type\": \"mat2\"",
