@@ -231,11 +231,15 @@ bool SubgraphChecker::ReportPortThatNeverFits(uint32_t index,
       Bind(target, input.argument, arguments[i]);
       continue;
     }
-    bool typed = arguments[i].type.valid();
-    ReportNoValue(target, input.argument, typed ? Resolved{} : arguments[i],
-                  typed ? fmt::format("{}, not {}", Listed(types, " or "),
-                                      check_.module.types.Text(arguments[i].type))
-                        : Listed(types, " or "));
+    ir::TypeId got = arguments[i].type;
+    if (!got.valid()) {
+      ReportNoValue(target, input.argument, arguments[i], Listed(types, " or "));
+      continue;
+    }
+    target.place.AddNote(check_.diagnostics.Error(
+        DiagnosticKind::kPortType, input.argument.range,
+        fmt::format("{} takes {}, got {}", target.place.Text(), Listed(types, " or "),
+                    check_.module.types.Text(got))));
   }
   return found;
 }

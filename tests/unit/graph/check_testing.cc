@@ -113,7 +113,7 @@ vec2 t_ports(float a, float b) { return vec2(a, b); }
 /// @param m the matrix
 float t_matrix(mat2 m) { return m[0].y; }
 )"},
-    {"t_broken", "float t_broken(float x) { return y; }\n"},
+    {"t_broken", "float t_broken(floot x) { return 1.0; }\n"},
 };
 
 // The blocks' folder, made once for the program.
