@@ -1,0 +1,412 @@
+// SPDX-License-Identifier: Apache-2.0
+// Simplify on whole modules, text in and text out.
+#include "compiler/passes/simplify.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "compiler/ir/print.h"
+#include "compiler/ir/verify.h"
+#include "tests/unit/ir/module_text.h"
+
+namespace texgraph::passes {
+namespace {
+
+std::string Simplified(std::string text) {
+  ir::Module module = ir::ModuleFrom(std::move(text));
+  if (!module.main) return "no module";
+  Simplify(module);
+  EXPECT_EQ(ir::Verify(module), "");
+  return ir::Print(module);
+}
+
+TEST(Simplify, DropsWhatNothingUses) {
+  EXPECT_EQ(Simplified(R"(input uv: vec2
+input position: vec3
+uniform tint: vec3 = vec3(1.0, 1.0, 1.0)
+texture brick: sampler2D
+texture stain: sampler2D
+function unused(%p: vec2) -> vec4 {
+  %0 = sample @brick, %p : vec4
+  return %0
+}
+function main() -> (color: vec4) {
+  %0 = call unused(@uv) : vec4
+  %1 = sample @stain, @uv : vec4
+  %2 = mul @tint, vec3(2.0, 2.0, 2.0) : vec3
+  return %1
+}
+main main
+)"),
+            R"(input uv: vec2
+texture stain: sampler2D
+function main() -> (color: vec4) {
+  %0 = sample @stain, @uv : vec4
+  return %0
+}
+main main
+)");
+}
+
+TEST(Simplify, RulesLeaveNoDeadOperands) {
+  EXPECT_EQ(Simplified(R"(input a: float
+input b: float
+function main() -> (x: float, y: float) {
+  %n = neg @b : float
+  %sum = add @a, %n : float
+  %m = neg @a : float
+  %same = neg %m : float
+  return %sum, %same
+}
+main main
+)"),
+            R"(input a: float
+input b: float
+function main() -> (x: float, y: float) {
+  %sum = sub @a, @b : float
+  return %sum, @a
+}
+main main
+)");
+}
+
+TEST(Simplify, UnusedParametersAndResultsGo) {
+  EXPECT_EQ(Simplified(R"(input uv: vec2
+input time: float
+function deep(%p: vec2, %t: float, %q: vec2) -> (vec2, float) {
+  %0 = sin %p : vec2
+  %1 = cos %0 : vec2
+  %2 = sin %t : float
+  return %1, %2
+}
+function shallow(%p: vec2, %t: float, %q: vec2) -> (vec2, height: float) {
+  %0 = call deep(%p, %t, %q) : (vec2, float)
+  %1 = extract.0 %0 : vec2
+  %2 = extract.1 %0 : float
+  %3 = tan %1 : vec2
+  return %3, %2
+}
+function main() -> (color: vec2) {
+  %0 = cos @uv : vec2
+  %1 = call shallow(@uv, @time, %0) : (vec2, float)
+  %2 = extract.0 %1 : vec2
+  return %2
+}
+main main
+)"),
+            R"(input uv: vec2
+function deep(%p: vec2) -> vec2 {
+  %0 = sin %p : vec2
+  %1 = cos %0 : vec2
+  return %1
+}
+function shallow(%p: vec2) -> vec2 {
+  %0 = call deep(%p) : vec2
+  %1 = tan %0 : vec2
+  return %1
+}
+function main() -> (color: vec2) {
+  %0 = call shallow(@uv) : vec2
+  return %0
+}
+main main
+)");
+}
+
+TEST(Simplify, ConstantThatEveryCallPassesMovesIn) {
+  EXPECT_EQ(Simplified(R"(input uv: vec2
+function wave(%p: vec2, %scale: float, %by: float) -> vec2 {
+  %0 = splat %scale : vec2
+  %1 = mul %p, %0 : vec2
+  %2 = sin %1 : vec2
+  %3 = splat %by : vec2
+  %4 = mul %2, %3 : vec2
+  return %4
+}
+function twice(%p: vec2, %scale: float) -> vec2 {
+  %0 = call wave(%p, %scale, 3.0) : vec2
+  %1 = call wave(%0, 5.0, 2.0) : vec2
+  return %1
+}
+function main() -> (color: vec2) {
+  %0 = call twice(@uv, 5.0) : vec2
+  return %0
+}
+main main
+)"),
+            R"(input uv: vec2
+function wave(%p: vec2, %by: float) -> vec2 {
+  %0 = mul %p, vec2(5.0, 5.0) : vec2
+  %1 = sin %0 : vec2
+  %2 = splat %by : vec2
+  %3 = mul %1, %2 : vec2
+  return %3
+}
+function twice(%p: vec2) -> vec2 {
+  %0 = call wave(%p, 3.0) : vec2
+  %1 = call wave(%0, 2.0) : vec2
+  return %1
+}
+function main() -> (color: vec2) {
+  %0 = call twice(@uv) : vec2
+  return %0
+}
+main main
+)");
+}
+
+TEST(Simplify, TrivialFunctionsStandWhereTheyAreCalled) {
+  EXPECT_EQ(Simplified(R"(input uv: vec2
+input time: float
+function first(%a: vec2, %b: vec2) -> vec2 {
+  return %a
+}
+function constant(%a: vec2) -> (vec2, vec2) {
+  %0 = sin %a : vec2
+  %1 = cos %0 : vec2
+  return vec2(1.0, 2.0), %1
+}
+function small(%a: vec2, %b: float) -> vec2 {
+  %0 = splat %b : vec2
+  %1 = mul %a, %0 : vec2
+  %2 = add %1, vec2(0.5, 0.5) : vec2
+  return %2
+}
+function main() -> (x: vec2, y: vec2, z: vec2, w: vec2) {
+  %0 = call first(@uv, @uv) : vec2
+  %1 = call constant(%0) : (vec2, vec2)
+  %2 = extract.0 %1 : vec2
+  %3 = extract.1 %1 : vec2
+  %4 = call small(@uv, @time) : vec2
+  return %0, %2, %3, %4
+}
+main main
+)"),
+            R"(input uv: vec2
+input time: float
+function constant(%a: vec2) -> vec2 {
+  %0 = sin %a : vec2
+  %1 = cos %0 : vec2
+  return %1
+}
+function main() -> (x: vec2, y: vec2, z: vec2, w: vec2) {
+  %0 = call constant(@uv) : vec2
+  %1 = splat @time : vec2
+  %2 = mul @uv, %1 : vec2
+  %3 = add %2, vec2(0.5, 0.5) : vec2
+  return @uv, vec2(1.0, 2.0), %0, %3
+}
+main main
+)");
+}
+
+TEST(Simplify, FunctionsUsedAsValuesKeepTheirSignatures) {
+  constexpr char kText[] = R"(input uv: vec2
+function noise(%p: vec2, %unused: float) -> float {
+  %0 = sin %p : vec2
+  %1 = length %0 : float
+  return %1
+}
+function main() -> (x: float) {
+  %0 = field noise(2.0) : field(vec2) -> float
+  %1 = call_field %0(@uv) : float
+  return %1
+}
+main main
+)";
+  EXPECT_EQ(Simplified(kText), kText);
+}
+
+TEST(Simplify, SidesOfAnIfKnowItsCondition) {
+  EXPECT_EQ(Simplified(R"(input a: float
+input b: float
+function main() -> (x: float) {
+  %p = lt @a, 1.0 : bool
+  %q = lt @b, 2.0 : bool
+  %both = land %p, %q : bool
+  %0 = if %both : float {
+    %1 = select %p, @a, @b : float
+    %2 = sin %1 : float
+    %not = lnot %q : bool
+    %3 = select %not, 3.0, %2 : float
+    yield %3
+  } else {
+    %4 = cos @a : float
+    %5 = select %both, %4, @b : float
+    %6 = tan %5 : float
+    yield %6
+  }
+  return %0
+}
+main main
+)"),
+            R"(input a: float
+input b: float
+function main() -> (x: float) {
+  %p = lt @a, 1.0 : bool
+  %q = lt @b, 2.0 : bool
+  %both = land %p, %q : bool
+  %0 = if %both : float {
+    %1 = sin @a : float
+    yield %1
+  } else {
+    %2 = tan @b : float
+    yield %2
+  }
+  return %0
+}
+main main
+)");
+}
+
+// Both sides are empty once the rules have run: it is a select, and of these values a minimum.
+TEST(Simplify, BranchesWithoutWorkBecomeChoices) {
+  EXPECT_EQ(Simplified(R"(input a: float
+input b: float
+function main() -> (x: float, y: float) {
+  %p = lt @a, @b : bool
+  %0 = if %p : (float, float) {
+    %1 = mul @a, 1.0 : float
+    yield %1, @b
+  } else {
+    %2 = add @b, -0.0 : float
+    yield %2, @b
+  }
+  %3 = extract.0 %0 : float
+  %4 = extract.1 %0 : float
+  return %3, %4
+}
+main main
+)"),
+            R"(input a: float
+input b: float
+function main() -> (x: float, y: float) {
+  %0 = min @b, @a : float
+  return %0, @b
+}
+main main
+)");
+}
+
+TEST(Simplify, LoopsCarryOnlyWhatChanges) {
+  EXPECT_EQ(Simplified(R"(input a: float
+input b: vec2
+function main() -> (x: float, y: vec2, z: float, w: float) {
+  %0 = for %i = 0 to 4 step 1 (%sum = 0.0, %kept = @b, %dead = @a, %last = 1.0) : (float, vec2, float, float) {
+    %1 = convert %i : float
+    %2 = dot %kept, vec2(3.0, 4.0) : float
+    %3 = mul %1, %2 : float
+    %4 = add %sum, %3 : float
+    %5 = add %kept, vec2(-0.0, -0.0) : vec2
+    %6 = sin %dead : float
+    yield %4, %5, %6, @a
+  }
+  %7 = extract.0 %0 : float
+  %8 = extract.1 %0 : vec2
+  %9 = extract.3 %0 : float
+  %10 = for %j = 3 to 3 step 1 (%none = @a) : float {
+    %11 = sin %none : float
+    yield %11
+  }
+  return %7, %8, %9, %10
+}
+main main
+)"),
+            R"(input a: float
+input b: vec2
+function main() -> (x: float, y: vec2, z: float, w: float) {
+  %0 = for %i = 0 to 4 step 1 (%sum = 0.0) : float {
+    %1 = convert %i : float
+    %2 = dot @b, vec2(3.0, 4.0) : float
+    %3 = mul %1, %2 : float
+    %4 = add %sum, %3 : float
+    yield %4
+  }
+  return %0, @b, @a, @a
+}
+main main
+)");
+}
+
+TEST(Simplify, NamesAndOriginsStay) {
+  EXPECT_EQ(Simplified(R"(origin #0 = "face" "layer" "layers/layer.glsl"
+origin #1 = "grid" "brick_grid" "tiling/brick_grid.glsl"
+input uv: vec2
+function layer(%p: vec2) -> vec2 #0 {
+  %scaled = mul %p, vec2(3.0, 4.0) : vec2
+  %wave = sin %scaled : vec2 #1
+  %curl = cos %wave : vec2
+  return %curl
+}
+function main() -> (color: vec2) {
+  %face = call layer(@uv) : vec2 #0
+  return %face
+}
+main main
+)"),
+            R"(origin #0 = "face" "layer" "layers/layer.glsl"
+origin #1 = "grid" "brick_grid" "tiling/brick_grid.glsl"
+input uv: vec2
+function layer(%p: vec2) -> vec2 #0 {
+  %scaled = mul %p, vec2(3.0, 4.0) : vec2
+  %wave = sin %scaled : vec2 #1
+  %curl = cos %wave : vec2
+  return %curl
+}
+function main() -> (color: vec2) {
+  %face = call layer(@uv) : vec2 #0
+  return %face
+}
+main main
+)");
+}
+
+TEST(Simplify, ExactRulesLeaveTheRest) {
+  constexpr char kText[] = R"(input a: float
+function main() -> (x: float, y: float) {
+  %0 = mul @a, 0.0 : float
+  %1 = neg @a : float
+  %2 = neg %1 : float
+  return %0, %2
+}
+main main
+)";
+  ir::Module module = ir::ModuleFrom(kText);
+  Simplify(module, kExact);
+  EXPECT_EQ(ir::Print(module), R"(input a: float
+function main() -> (x: float, y: float) {
+  %0 = mul @a, 0.0 : float
+  return %0, @a
+}
+main main
+)");
+}
+
+// Constants reach the end of a long chain of calls, and unused results its beginning.
+TEST(Simplify, FixPointThroughManyCalls) {
+  std::string text = "input a: float\n";
+  text +=
+      "function f0(%p: float, %k: float) -> (float, float) {\n"
+      "  %0 = sin %p : float\n  %1 = mul %0, %k : float\n  %2 = cos %p : float\n  return %1, "
+      "%2\n}\n";
+  for (int i = 1; i < 50; ++i) {
+    std::string number = std::to_string(i);
+    text +=
+        "function f" + number +
+        "(%p: float, %k: float) -> (float, float) {\n  %0 = sin %p : float\n" +
+        "  %1 = mul %k, 1.0 : float\n" + "  %2 = call f" + std::to_string(i - 1) +
+        "(%0, %1) : (float, float)\n  %3 = extract.0 %2 : float\n  %4 = extract.1 %2 : float\n" +
+        "  %5 = tan %4 : float\n  %6 = cos %3 : float\n  return %6, %5\n}\n";
+  }
+  text +=
+      "function main() -> (x: float) {\n  %0 = call f49(@a, 0.0) : (float, float)\n"
+      "  %1 = extract.0 %0 : float\n  return %1\n}\nmain main\n";
+  std::string once = Simplified(text);
+  EXPECT_EQ(once.find("%k"), std::string::npos);
+  EXPECT_EQ(once.find("tan"), std::string::npos);
+  EXPECT_EQ(Simplified(once), once);
+}
+
+}  // namespace
+}  // namespace texgraph::passes
