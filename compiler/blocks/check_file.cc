@@ -462,12 +462,13 @@ class FileChecker {
   }
 
   void CheckPortNames(const Overload& overload) {
-    std::map<std::string_view, SourceRange> seen;
+    // Reported for one meaning of genType.
+    if (overload.gen_type && overload.gen_type != ir::kFloat) return;
     for (const std::vector<Port>* ports : {&overload.inputs, &overload.outputs}) {
+      std::map<std::string_view, SourceRange> seen;
       for (const Port& port : *ports) {
         auto [known, added] = seen.try_emplace(port.name, port.range);
-        bool repeated = overload.gen_type && overload.gen_type != ir::kFloat;
-        if (added || repeated) continue;
+        if (added) continue;
         Error(DiagnosticKind::kBlockName, port.range,
               port.name == "result" ? "'result' is the name of the returned value's port"
                                     : "two ports have the name '" + port.name + "'")

@@ -32,15 +32,14 @@ std::string TemporaryFolder::Write(std::string_view name, std::string_view text)
 
 namespace {
 
-std::string WriteAll(const TemporaryFolder& folder,
-                     const std::vector<std::pair<std::string, std::string>>& files) {
+std::string WriteAll(const TemporaryFolder& folder, const Files& files) {
   for (const auto& [name, text] : files) folder.Write(name, text);
   return folder.path();
 }
 
 }  // namespace
 
-TestLibrary::TestLibrary(const std::vector<std::pair<std::string, std::string>>& files, bool fold)
+TestLibrary::TestLibrary(const Files& files, bool fold)
     : library(module, sources, diagnostics, {WriteAll(folder, files)}, fold) {}
 
 ir::FunctionId TestLibrary::Function(std::string_view name, size_t overload,

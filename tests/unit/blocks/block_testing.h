@@ -31,11 +31,12 @@ class TemporaryFolder {
   std::string path_;
 };
 
+// Pairs of a path ("math/half.glsl") and a text.
+using Files = std::vector<std::pair<std::string, std::string>>;
+
 // A library over blocks that a test wrote.
 struct TestLibrary {
-  // Pairs of a path ("math/half.glsl") and a text.
-  explicit TestLibrary(const std::vector<std::pair<std::string, std::string>>& files,
-                       bool fold = true);
+  explicit TestLibrary(const Files& files, bool fold = true);
 
   // The function for the given template values, which may be fewer bits than types: ints, floats as
   // their bits. Invalid if anything is wrong.
