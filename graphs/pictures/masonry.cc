@@ -25,7 +25,7 @@ double Depth(Point p) {
   double wear =
       0.020 * Fractal({4 * p.x, 4 * p.y}, 4, 11) + 0.006 * Noise({40 * p.x, 40 * p.y}, 15);
   Cell chip = Cells({3.2 * p.x + 0.3, 3.2 * p.y}, 21);
-  double bite = chip.value < 0.35 ? 0.06 * SmoothStep(0.42, 0.1, chip.nearest) : 0;
+  double bite = chip.value < 0.35 ? 0.035 * SmoothStep(0.42, 0.1, chip.nearest) : 0;
   return -distance + wear - bite;
 }
 
@@ -116,7 +116,7 @@ double MortarHeight(Point p) {
   double rough = 0.020 * Fractal({8 * p.x, 8 * p.y}, 5, 111, 8) +
                  0.0030 * Noise({128 * p.x, 128 * p.y}, 117, 128);
   double sand = 0.0035 * Grains(p, 56, 0.5, 121).cover + 0.008 * Grains(p, 23, 0.22, 131).cover;
-  return rough + sand - 0.020 * Grains(p, 11, 0.25, 141).cover;
+  return rough + sand - 0.010 * Grains(p, 19, 0.16, 141).cover;
 }
 
 Surface MortarSurface(Point p) {
@@ -130,7 +130,7 @@ Surface MortarSurface(Point p) {
   color = Mix(color, kSand[static_cast<int>(fine.value * 37) % 6], 0.6 * fine.cover);
   Grain coarse = Grains(p, 23, 0.22, 131);
   color = Mix(color, kSand[static_cast<int>(coarse.value * 41) % 6], 0.75 * coarse.cover);
-  color = color * (1 - 0.40 * Grains(p, 11, 0.25, 141).cover);
+  color = color * (1 - 0.30 * Grains(p, 19, 0.16, 141).cover);
   color = color * (0.95 + 0.10 * Noise({160 * p.x, 160 * p.y}, 171, 160));
   return {color, 1};
 }

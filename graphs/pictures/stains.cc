@@ -44,10 +44,10 @@ Surface SootSurface(Point p) {
   double streak = Fractal({11 * p.x + 0.8 * Noise({3 * p.x, 3 * p.y}, 251), 1.2 * p.y}, 4, 252);
   double cloud = Fractal({3 * p.x, 3 * p.y}, 5, 261);
   double dust = Fractal({34 * p.x, 34 * p.y}, 3, 271);
-  double alpha = inside * Clamp(0.42 + 0.62 * streak + 0.55 * cloud + 0.20 * dust, 0, 1);
+  double alpha = inside * Clamp(0.60 + 0.62 * streak + 0.55 * cloud + 0.20 * dust, 0, 1);
   Color color =
-      Mix({0.13, 0.115, 0.10}, {0.25, 0.22, 0.185}, SmoothStep(-0.6, 0.6, cloud + 0.4 * dust));
-  return {color, 0.88 * alpha};
+      Mix({0.09, 0.08, 0.075}, {0.20, 0.175, 0.15}, SmoothStep(-0.6, 0.6, cloud + 0.4 * dust));
+  return {color, 0.94 * alpha};
 }
 
 }  // namespace
