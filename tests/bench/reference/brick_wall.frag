@@ -15,7 +15,7 @@ layout(binding = 3) uniform sampler2D moss;
 layout(location = 0) out vec4 out_color;
 layout(location = 1) out float out_roughness;
 
-const ivec2 CELLS = ivec2(6, 12);
+const ivec2 CELLS = ivec2(5, 10);
 
 uint hash(uint value) {
   uint state = value * 747796405u + 2891336453u;
@@ -55,8 +55,8 @@ Point element(Point p, vec2 center, float angle, float size, vec2 along, vec2 ac
 
 // How much of the pixel the element covers, within its cell.
 float coverage(Point q, vec2 cell_in_q, Point local) {
-  vec2 width = clamp(footprint(q), vec2(1e-5), cell_in_q);
-  vec2 share = (min(q.at + 0.5 * width, 1.0) - max(q.at - 0.5 * width, 0.0)) / width;
+  vec2 density = 1.0 / clamp(footprint(q), vec2(1e-5), cell_in_q);
+  vec2 share = min((0.5 - abs(q.at - 0.5)) * density + 0.5, density);
   vec2 inside = clamp((0.5 - abs(local.at - 0.5)) / clamp(footprint(local), 1e-5, 1.0) + 0.5, 0.5, 1.0);
   vec2 covered = clamp(share / inside, 0.0, 1.0);
   return covered.x * covered.y;
@@ -86,28 +86,32 @@ void main() {
   Point q = element(cell, mix(vec2(0.485, 0.48), vec2(0.515, 0.52), random2(face_seed, -1)),
                     radians(mix(-1.2, 1.2, turn.y)), size, vec2(1.0), turned);
   vec4 face = textureGrad(brick, q.at, q.dx, q.dy);
-  uint shade_bits = hash(seed);
-  vec3 shade = vec3(vec2(shade_bits & 65535u, shade_bits >> 16u) / 65536.0, random(shade_bits, 0));
-  face.rgb *= mix(vec3(0.5, 0.5, 0.52), vec3(1.15, 1.0, 0.95), shade) * tint;
+  float firing = random(seed, 0);
+  vec3 clay = mix(vec3(0.38, 0.36, 0.4), vec3(0.85, 0.75, 0.7), clamp(firing / 0.2, 0.0, 1.0));
+  clay = mix(clay, vec3(1.25, 1.0, 0.8), clamp((firing - 0.2) / 0.4, 0.0, 1.0));
+  clay = mix(clay, vec3(1.5, 1.5, 1.3), clamp((firing - 0.6) / 0.4, 0.0, 1.0));
+  face.rgb *= clay * mix(0.7, 1.15, random(seed, 1)) * tint;
   face.a *= coverage(q, vec2(1.0 / size), cell);
 
   // Soot, in the frame of the face.
   vec2 frame = size * shape;
   uint soot_seed = hash(face_seed + 1u);
   vec2 soot_turn = random2(soot_seed, -2);
-  float soot_size = mix(0.7, 1.3, soot_turn.x);
-  Point s = element(q, mix(vec2(0.1, 0.3), vec2(0.9, 0.7), random2(soot_seed, -1)),
+  float soot_size = mix(0.8, 1.5, soot_turn.x);
+  Point s = element(q, mix(vec2(0.1, 0.4), vec2(0.9, 0.7), random2(soot_seed, -1)),
                     radians(mix(-8.0, 8.0, soot_turn.y)), soot_size, vec2(1.0), turned);
   vec4 stain = textureGrad(soot, s.at, s.dx, s.dy);
-  stain.a *= random2(soot_seed, -3).x * coverage(s, vec2(1.0 / soot_size), q) * soot_amount * face.a;
+  vec2 soot_luck = random2(soot_seed, -3);
+  stain.a = soot_luck.y >= 0.7 ? 0.0
+                               : stain.a * soot_luck.x * coverage(s, vec2(1.0 / soot_size), q) * soot_amount * face.a;
 
   // Moss, in the largest square of that frame, on a third of the bricks.
   uint moss_seed = hash(face_seed + 2u);
   vec2 moss_turn = random2(moss_seed, -2);
-  float moss_size = mix(0.25, 1.0, moss_turn.x);
+  float moss_size = mix(0.4, 1.0, moss_turn.x);
   float side = min(frame.x, frame.y);
   vec2 along = frame / side;
-  Point m = element(q, mix(vec2(0.0, -0.1), vec2(1.0, 0.5), random2(moss_seed, -1)),
+  Point m = element(q, mix(vec2(0.1, 0.3), vec2(0.9, 0.55), random2(moss_seed, -1)),
                     radians(mix(-180.0, 180.0, moss_turn.y)), moss_size, along, vec2(along.y, -along.x));
   vec4 growth = textureGrad(moss, m.at, m.dx, m.dy);
   vec2 luck = random2(moss_seed, -3);
