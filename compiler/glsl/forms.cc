@@ -163,7 +163,8 @@ void Forms::DecideExpression(ValueId v) {
 bool Forms::MayInline(ValueId v) const {
   const Inst& inst = function_[v];
   if (uses_.Count(v) != 1 || inst.op == Op::kDfdx || inst.op == Op::kDfdy) return false;
-  if (ContainsArray(inst.type) || (uses_.Flags(v) & kIndexedUse)) return false;
+  if (module_.types.Kind(inst.type) == ir::TypeKind::kArray || (uses_.Flags(v) & kIndexedUse))
+    return false;
   RegionId home = uses_.RegionOf(v);
   bool ends_region = (uses_.Flags(v) & kResultUse) && uses_.Place(v) == home;
   if (!compact_ && function_.NameOf(v) && !(ends_region && home != function_.body)) return false;

@@ -52,6 +52,8 @@ class Forms {
   bool IsTernary(ValueId v) const;
   // Whether a region has statements of its own.
   bool HasStatements(RegionId r) const { return statements_[r.index] > 0; }
+  // Whether there is exactly one, be it an if with others inside.
+  bool HasOneStatement(RegionId r) const { return statements_[r.index] == 1; }
   size_t variable_count() const { return variable_count_; }
   size_t operation_count() const { return operation_count_; }
 

@@ -33,7 +33,8 @@ Forms FunctionPlan::DecideForms(const ir::Module& module, const ir::Function& fu
 ModulePlan::ModulePlan(const ir::Module& module)
     : functions(module.functions.size()),
       globals(module.globals.size()),
-      function_used(module.functions.size()) {
+      function_used(module.functions.size()),
+      implicit(module.functions.size()) {
   // Callers come after callees: backwards for what is reached, forwards for what it does.
   std::vector<std::optional<Uses>> uses(functions.size());
   function_used[module.main.index] = true;
@@ -46,7 +47,6 @@ ModulePlan::ModulePlan(const ir::Module& module)
       if (inst.op == Op::kCall && uses[f]->IsWritten(ValueId(i))) function_used[inst.aux] = true;
     }
   }
-  std::vector<bool> implicit(functions.size());
   for (size_t f = 0; f <= module.main.index; ++f) {
     if (!function_used[f]) continue;
     const ir::Function& function = module.functions[f];

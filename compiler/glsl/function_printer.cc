@@ -353,7 +353,7 @@ void FunctionPrinter::PrintLoop(const Statement& statement) {
   const int64_t after = int64_t(loop.first) + int64_t(loop.Trips()) * loop.step;
   if (after > INT32_MAX || after < INT32_MIN) {
     // The index would wrap before it reaches the end, so the rounds are counted.
-    std::string round(Claim("round", false));
+    std::string round(Claim("turn", false));
     out_.Line("for (int " + round + " = 0; " + round + " < " + std::to_string(loop.Trips()) +
               "; ++" + round + ") {");
     out_.Indent();

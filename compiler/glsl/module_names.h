@@ -36,8 +36,6 @@ class ModuleNames {
   const std::string& Array(ir::ConstId id) const { return arrays_.at(id); }
   bool HasArray(ir::ConstId id) const { return arrays_.contains(id); }
   void DeclareArray(ir::ConstId id, std::string_view wish);
-  // A further name at global scope.
-  std::string_view Extra(std::string_view wish) { return table_.Claim(wish); }
 
   // Whether a local name would hide something at global scope that a function needs: any function
   // or struct, and those globals that it uses.

@@ -107,10 +107,7 @@ void ShaderPrinter::PlaceGlobals() {
         if (used) interface_.uniforms.push_back(entry);
         break;
       case GlobalKind::kSpecialization:
-        if (options_.for_spirv && used) {
-          entry.constant_id = constant;
-          constant += module_.types.Words(global.type);
-        }
+        if (options_.for_spirv && used) entry.constant_id = constant++;
         if (used) interface_.specializations.push_back(entry);
         break;
       case GlobalKind::kTexture:
@@ -152,6 +149,7 @@ void ShaderPrinter::PrintHeader() {
   out_.Line("// " + name + ": a function for a shader of " +
             (options_.dialect == Dialect::k450 ? "#version 450" : "#version 330") + " or later" +
             by + ".");
+  if (!plan_.implicit[module_.main.index]) return;
   out_.Line(
       "// Call it in the main part of a fragment shader, outside branches and loops: textures are");
   out_.Line("// sampled with derivatives, which neighbouring pixels have to compute together.");
@@ -187,30 +185,11 @@ void ShaderPrinter::PrintParameters() {
   }
 }
 
-// Only scalars have a constant_id; a vector is put together from its components.
 void ShaderPrinter::PrintSpecialization(const ShaderInterface::Entry& entry) {
   const ir::Global& global = Global(entry);
-  const std::string type = names_.Type(global.type);
-  if (!options_.for_spirv) {
-    return out_.Line("const " + type + " " + entry.name + " = " + Literal(global.value) + ";");
-  }
-  if (ir::IsScalar(global.type)) {
-    return out_.Line(Layout({{"constant_id", entry.constant_id}}) + "const " + type + " " +
-                     entry.name + " = " + Literal(global.value) + ";");
-  }
-  ir::Scalar scalar = ir::IsVector(global.type) ? ir::ScalarOf(global.type) : ir::Scalar::kFloat;
-  std::span<const uint32_t> words = module_.Words(global.value);
-  std::string parts;
-  for (uint32_t i = 0; i < words.size(); ++i) {
-    std::string part(names_.Extra(
-        entry.name + (words.size() <= 4 ? std::string("_") + "xyzw"[i] : "_" + std::to_string(i))));
-    std::string line = Layout({{"constant_id", entry.constant_id + i}}) + "const ";
-    line += names_.Type(ir::Vector(scalar, 1)) + " " + part + " = ";
-    AppendScalar(scalar, words[i], line);
-    out_.Line(line + ";");
-    parts += (i > 0 ? ", " : "") + part;
-  }
-  out_.Line("const " + type + " " + entry.name + " = " + type + "(" + parts + ");");
+  std::string line = options_.for_spirv ? Layout({{"constant_id", entry.constant_id}}) : "";
+  line += "const " + names_.Declaration(global.type, entry.name) + " = " + Literal(global.value);
+  out_.Line(line + ";");
 }
 
 void ShaderPrinter::PrintTextures() {

@@ -33,7 +33,7 @@ struct ShaderInterface {
     std::string name;              // in the shader: the graph's, unless it clashes with another
     uint32_t location = kNone;     // inputs, uniforms and textures, with k450
     uint32_t binding = kNone;      // textures, with k450
-    uint32_t constant_id = kNone;  // specialisation constants, for_spirv: of the first component
+    uint32_t constant_id = kNone;  // specialisation constants, for_spirv
   };
   struct Output {
     std::string

@@ -43,6 +43,19 @@ bool Schedule::IsIdle(ValueId branch, RegionId side) const {
   return true;
 }
 
+// Whether an if is all that the second side of another does, and ends with constants: then it reads
+// best as "else if ... else".
+bool Schedule::ContinuesElse(ValueId v, RegionId region) const {
+  ValueId owner = frames_.back().owner;
+  if (!owner || function_[owner].op != Op::kIf || !forms_.HasOneStatement(region)) return false;
+  if (function_.branches[function_[owner].aux].else_region != region) return false;
+  RegionId last = function_.branches[function_[v].aux].else_region;
+  for (ValueId result : function_.regions[last.index].results) {
+    if (function_[result].op != Op::kConst) return false;
+  }
+  return true;
+}
+
 void Schedule::Enter(ValueId v, RegionId region) {
   const Inst& inst = function_[v];
   if (inst.op == Op::kCall) return Add(Kind::kCall, v, region);
@@ -58,7 +71,9 @@ void Schedule::Enter(ValueId v, RegionId region) {
   const ir::Branch& branch = function_.branches[inst.aux];
   starts_[branch.then_region.index] = starts_[branch.else_region.index] = start;
   IfStyle& style = styles_[inst.aux];
-  if (IsIdle(v, branch.else_region)) {
+  if (ContinuesElse(v, region)) {
+    style = IfStyle::kBoth;
+  } else if (IsIdle(v, branch.else_region)) {
     style = IfStyle::kThenOnly;
   } else if (IsIdle(v, branch.then_region)) {
     style = IfStyle::kElseOnly;

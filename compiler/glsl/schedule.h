@@ -59,6 +59,7 @@ class Schedule {
     statements_.push_back({kind, value, region});
   }
   bool IsIdle(ValueId branch, RegionId side) const;
+  bool ContinuesElse(ValueId v, RegionId region) const;
   void Enter(ValueId v, RegionId region);
   void LeaveSide(ValueId v, RegionId region);
 

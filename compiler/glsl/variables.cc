@@ -54,7 +54,10 @@ void Variables::NameResults() {
 NameId Variables::NameOfResult(ValueId v, uint32_t result) const {
   if (NameId name = slot_names_[uses_.FirstSlot(v) + result]) return name;
   const Inst& inst = function_[v];
-  if (inst.op == Op::kCall) return NameId();
+  if (inst.op == Op::kCall) {
+    bool returned = result == 0 && module_[FunctionId(inst.aux)].results[0].name.empty();
+    return returned ? function_.NameOf(v) : NameId();
+  }
   if (!uses_.IsTuple(v) && function_.NameOf(v)) return function_.NameOf(v);
   if (inst.op == Op::kFor) {
     const ir::Region& body = function_.regions[function_.loops[inst.aux].body.index];
