@@ -39,6 +39,8 @@ struct ModulePlan {
       functions;                    // by FunctionId; null if main does not reach it
   std::vector<bool> globals;        // by GlobalId: whether any function names it
   std::vector<bool> function_used;  // by FunctionId
+  std::vector<bool>
+      implicit;  // by FunctionId: whether it takes derivatives across neighbouring pixels
 };
 
 }  // namespace texgraph::glsl
