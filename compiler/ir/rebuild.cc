@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compiler/ir/rebuild.h"
 
+#include <array>
 #include <utility>
 
 namespace texgraph::ir {
@@ -175,7 +176,11 @@ void Rebuilder::CopyOne(ValueId old) {
 
 ValueId Rebuilder::Copy(ValueId old) {
   const Inst& inst = from_[old];
-  return to_.Emit(inst.op, inst.type, GetAll(from_.Operands(inst)), inst.aux);
+  std::span<const ValueId> operands = from_.Operands(inst);
+  std::array<ValueId, 8> few;
+  if (operands.size() > few.size()) return to_.Emit(inst.op, inst.type, GetAll(operands), inst.aux);
+  for (size_t i = 0; i < operands.size(); ++i) few[i] = Get(operands[i]);
+  return to_.Emit(inst.op, inst.type, std::span<const ValueId>(few.data(), operands.size()), inst.aux);
 }
 
 std::vector<ValueId> Rebuilder::CopyCall(ValueId old) {

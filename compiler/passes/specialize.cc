@@ -59,7 +59,7 @@ bool MakesNoWork(Op op) {
   }
 }
 
-bool IsSmall(const ir::Function& function) {
+bool IsInlined(const ir::Function& function) {
   int work = 0;
   for (ValueId v : function.Body().body) {
     Op op = function[v].op;
@@ -359,7 +359,7 @@ Specializer::Callee Specializer::Instance(FunctionId id, const std::vector<Bindi
   }
   chain_.pop_back();
   if (failed_) return {};
-  made_.push_back({id, suffix, fold_ && IsSmall(made)});
+  made_.push_back({id, suffix, fold_ && IsInlined(made)});
   module_.functions.push_back(std::move(made));
   FunctionId result(module_.functions.size() - 1);
   instances_.emplace(std::move(key), result);
