@@ -119,21 +119,23 @@ runtime::RenderRequest RequestFor(const RenderOptions& options, Shader& shader) 
   return request;
 }
 
-// Keeps the shader that the driver refused, beside where the picture would have been.
-void KeepShader(const std::string& output, const std::string& shader, Diagnostics& diagnostics) {
+// Keeps the shader that the driver refused, beside where the picture would have been; says where in
+// the error.
+void ReportRefusedShader(const std::string& output, const std::string& shader,
+                         const Diagnostic& refusal, Diagnostics& diagnostics) {
   const size_t name = output.size() - FileNameOf(output).size();
   const size_t dot = output.rfind('.');
   const bool has_extension = dot != std::string::npos && dot > name;
   const std::string path =
       output == "-" ? "texgraph.failed.frag"
                     : output.substr(0, has_extension ? dot : output.size()) + ".failed.frag";
+  Diagnostic& error = diagnostics.Error(refusal.kind, refusal.range, refusal.message);
+  error.notes = refusal.notes;
   OutputFiles files;
   files.Add(path, shader);
-  Diagnostics ignored;
-  if (files.Commit(ignored)) {
-    diagnostics.Warn(DiagnosticKind::kDriverCompile, {},
-                     fmt::format("the shader was kept in '{}'", Printable(path)));
-  }
+  Diagnostics ignored;  // the refusal is what matters
+  if (files.Commit(ignored))
+    error.AddNote({}, fmt::format("the shader was kept in '{}'", Printable(path)));
 }
 
 }  // namespace
@@ -148,11 +150,13 @@ void RunRender(const RenderOptions& options, Sources& sources, Diagnostics& diag
   runtime::RenderRequest request = RequestFor(options, shader);
   request.textures = std::move(textures);
   runtime::RenderResult result = runtime::Render(request);
-  const bool refused =
-      !result.ok() && result.diagnostics.all().front().kind == DiagnosticKind::kDriverCompile;
   const bool drawn = result.ok();
-  diagnostics.Append(std::move(result.diagnostics));
-  if (refused) KeepShader(options.output, request.shader, diagnostics);
+  if (!drawn && result.diagnostics.all().front().kind == DiagnosticKind::kDriverCompile) {
+    ReportRefusedShader(options.output, request.shader, result.diagnostics.all().front(),
+                        diagnostics);
+  } else {
+    diagnostics.Append(std::move(result.diagnostics));
+  }
   if (!drawn) return;
   auto bytes = textures::EncodePng(result.outputs[0].image);
   if (!bytes) {

@@ -23,7 +23,7 @@
 namespace {
 
 void* Real(const char* name) {
-  static void* const library = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
+  static void* const library = dlopen(REAL_EGL, RTLD_NOW | RTLD_LOCAL);
   return library ? dlsym(library, name) : nullptr;
 }
 
