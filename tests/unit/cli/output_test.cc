@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where texgraphc's outputs go, and that they are all there or none.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/unit/base/scratch_folder.h"
+#include "tests/unit/cli/program.h"
+#include "tests/unit/cli/sample_graphs.h"
+
+namespace texgraph {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class Output : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder.Write("wall.json", std::string(kProceduralGraph));
+    folder.Write("wrong.json", "{ \"texgraph\": 1 }");
+  }
+
+  Outcome Run(std::vector<std::string> arguments, std::string input = {}) {
+    Program program = Texgraphc(std::move(arguments), folder.path());
+    program.input = std::move(input);
+    return program.Run();
+  }
+
+  ScratchFolder folder;
+};
+
+TEST_F(Output, ShaderAndManifestBesideEachOther) {
+  Outcome outcome = Run({"wall.json", "-o", "shader.frag"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
+  EXPECT_EQ(outcome.out + outcome.error, "");
+  EXPECT_THAT(folder.Names(), ElementsAre("shader.frag", "shader.json", "wall.json", "wrong.json"));
+  EXPECT_THAT(folder.Read("shader.frag"), HasSubstr("#version 330\n"));
+  EXPECT_EQ(nlohmann::json::parse(folder.Read("shader.json"))["shader"], "shader.frag");
+}
+
+TEST_F(Output, DefaultNamesFollowTheGraphTargetAndForm) {
+  EXPECT_EQ(Run({"wall.json"}).exit_code, 0);
+  EXPECT_THAT(folder.Names(),
+              ElementsAre("wall.frag", "wall.json", "wall.manifest.json", "wrong.json"));
+  EXPECT_EQ(folder.Read("wall.json"), kProceduralGraph);
+  EXPECT_EQ(Run({"wall.json", "--emit", "function"}).exit_code, 0);
+  EXPECT_THAT(folder.Read("wall.glsl"), HasSubstr("wall("));
+  EXPECT_EQ(Run({"wall.json", "--target", "spirv"}).exit_code, 0);
+  EXPECT_THAT(folder.Read("wall.spv"), StartsWith("\x03\x02\x23\x07"));
+}
+
+TEST_F(Output, StandardInputAndOutput) {
+  Outcome outcome = Run({"-", "-o", "-"}, std::string(kProceduralGraph));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
+  EXPECT_THAT(outcome.out, HasSubstr("#version 330\n"));
+  EXPECT_EQ(outcome.error, "");
+  EXPECT_THAT(folder.Names(), ElementsAre("wall.json", "wrong.json"));
+  Outcome file = Run({"wall.json", "-o", "-", "--manifest", "m.json"});
+  EXPECT_EQ(nlohmann::json::parse(folder.Read("m.json"))["dialect"], "glsl330");
+  EXPECT_EQ(Run({"-", "--format", "yaml", "-o", "-"}, std::string(kProceduralGraph)).exit_code,
+            0);  // JSON is YAML
+  EXPECT_EQ(Run({"-", "-o", "-"}, "[").exit_code, 1);
+  EXPECT_THAT(Run({"-", "-o", "-"}, "[").error, StartsWith("<stdin>:1:2: error: "));
+}
+
+TEST_F(Output, DumpGoesToStandardErrorOrBeforeTheShader) {
+  Outcome outcome = Run({"wall.json", "-o", "x.frag", "--dump-after", "build"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
+  EXPECT_THAT(outcome.error, HasSubstr("// after build\n"));
+  EXPECT_EQ(outcome.out, "");
+  Outcome both = Run({"wall.json", "-o", "-", "--dump-after", "build", "--dump-after", "legalize"});
+  EXPECT_THAT(both.out, StartsWith("// after build\n"));
+  EXPECT_LT(both.out.find("// after legalize\n"), both.out.find("#version 330"));
+  EXPECT_EQ(both.error, "");
+  Outcome all = Run({"wall.json", "-o", "-", "--dump-after", "all"});
+  for (const char* phase : {"build", "specialize", "simplify", "differentiate", "legalize"}) {
+    EXPECT_THAT(all.out, HasSubstr(std::string("// after ") + phase + "\n"));
+  }
+}
+
+TEST_F(Output, FoldersAndSeveralGraphs) {
+  folder.Write("deck.json", std::string(kProceduralGraph));
+  ASSERT_EQ(mkdir((folder / "out").c_str(), 0755), 0);
+  for (const char* jobs : {"1", "2", "0"}) {
+    Outcome outcome =
+        Run({"wall.json", "wrong.json", "deck.json", "nowhere.json", "-o", "out", "-j", jobs});
+    EXPECT_EQ(outcome.exit_code, 1);  // the first that failed
+    EXPECT_LT(outcome.error.find("wrong.json"), outcome.error.find("nowhere.json"));
+    EXPECT_THAT(folder.Read("out/wall.frag"), HasSubstr("#version 330\n"));
+    EXPECT_NE(folder.Read("out/deck.json"), "");
+    std::filesystem::remove_all(folder / "out");
+    std::filesystem::create_directory(folder / "out");
+  }
+  EXPECT_EQ(Run({"wall.json", "-o", "out/"}).exit_code, 0);
+  EXPECT_NE(folder.Read("out/wall.frag"), "");
+  EXPECT_EQ(Run({"wall.json", "deck.json", "-o", "missing/"}).exit_code, 3);
+}
+
+TEST_F(Output, ManyGraphsOnManyThreadsGiveTheSameAsOneByOne) {
+  std::vector<std::string> one = {"-o", "one/", "-j", "1"}, many = {"-o", "many/", "-j", "8"};
+  for (int i = 0; i < 24; ++i) {
+    std::string name = "g" + std::to_string(i) + ".json", graph(kProceduralGraph);
+    graph.replace(graph.find("\"value\": 7"), 10, "\"value\": " + std::to_string(i + 1));
+    folder.Write(name, graph);
+    one.push_back(name);
+    many.push_back(name);
+  }
+  std::filesystem::create_directory(folder / "one");
+  std::filesystem::create_directory(folder / "many");
+  EXPECT_EQ(Run(one).exit_code, 0);
+  EXPECT_EQ(Run(many).exit_code, 0);
+  for (int i = 0; i < 24; ++i) {
+    for (const char* extension : {".frag", ".json"}) {
+      std::string name = "/g" + std::to_string(i) + extension;
+      EXPECT_EQ(folder.Read("one" + name), folder.Read("many" + name));
+      EXPECT_NE(folder.Read("one" + name), "");
+    }
+  }
+}
+
+TEST_F(Output, NoTwoOutputsGoToOneFile) {
+  folder.Write("again.json", std::string(kProceduralGraph).insert(1, "\"name\": \"wall\", "));
+  std::filesystem::create_directory(folder / "out");
+  Outcome outcome = Run({"wall.json", "again.json", "-o", "out"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.error, HasSubstr("'out/wall.frag': another output goes there"));
+  EXPECT_EQ(Run({"wall.json", "-o", "x.frag", "--manifest", "./x.frag"}).exit_code, 2);
+  EXPECT_EQ(Run({"wall.json", "-o", "x.frag", "-MF", "x.json"}).exit_code, 2);
+  EXPECT_EQ(Run({"wall.json", "-o", "-", "--manifest", "-"}).exit_code, 2);
+}
+
+TEST_F(Output, InputsAreNeverOverwritten) {
+  ASSERT_EQ(symlink("wall.json", (folder / "link.frag").c_str()), 0);
+  folder.Write("other.json", std::string(kProceduralGraph));
+  std::filesystem::create_directory(folder / "blocks");
+  folder.Write("blocks/half_of.glsl",
+               "/// Half.\n/// @param x whole\nfloat half_of(float x) { return 0.5 * x; }\n");
+  folder.Write(
+      "uses.json",
+      "{ \"texgraph\": 1, \"nodes\": { \"a\": { \"block\": \"half_of\", \"in\": { \"x\": 1 } } }, "
+      "\"outputs\": { \"height\": \"a\" } }");
+  for (std::vector<std::string> arguments : std::vector<std::vector<std::string>>{
+           {"wall.json", "-o", "wall.json"},
+           {"wall.json", "-o", "./wall.json"},
+           {"wall.json", "-o", "link.frag"},
+           {"wall.json", "-o", "x.frag", "--manifest", "wall.json"},
+           {"wall.json", "-o", "x.frag", "-MF", "wall.json"},
+           {"uses.json", "-I", "blocks", "-o", "blocks/half_of.glsl"}}) {
+    Outcome outcome = Run(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << testing::PrintToString(arguments) << outcome.error;
+    EXPECT_THAT(outcome.error, HasSubstr("it is one of the files that are read [usage]"));
+  }
+  EXPECT_EQ(folder.Read("wall.json"), kProceduralGraph);
+  EXPECT_THAT(folder.Read("blocks/half_of.glsl"), StartsWith("/// Half."));
+}
+
+TEST_F(Output, DependencyFiles) {
+  std::filesystem::create_directory(folder / "my blocks");
+  folder.Write("my blocks/half_of.glsl",
+               "/// Half.\n/// @param x whole\nfloat half_of(float x) { return 0.5 * x; }\n");
+  folder.Write(
+      "uses.json",
+      "{ \"texgraph\": 1, \"nodes\": { \"a\": { \"block\": \"half_of\", \"in\": { \"x\": 1 } } }, "
+      "\"outputs\": { \"height\": \"a\" } }");
+  EXPECT_EQ(Run({"uses.json", "-I", "my blocks", "-o", "x.frag", "-MD"}).exit_code, 0);
+  EXPECT_EQ(folder.Read("x.frag.d"), "x.frag: \\\n  uses.json \\\n  my\\ blocks/half_of.glsl\n");
+  EXPECT_EQ(
+      Run({"uses.json", "-I", "my blocks", "-o", "x.frag", "-MF", "deps", "-MT", "all"}).exit_code,
+      0);
+  EXPECT_THAT(folder.Read("deps"), StartsWith("all: \\\n  uses.json"));
+  EXPECT_EQ(Run({"wall.json", "-o", "y.frag", "-MD"}).exit_code, 0);
+  EXPECT_EQ(folder.Read("y.frag.d"), "y.frag: \\\n  wall.json\n");
+}
+
+TEST_F(Output, WarningsCanBeSilencedOrMadeErrors) {
+  folder.Write(
+      "tiny.json",
+      "{ \"texgraph\": 1, \"nodes\": { \"a\": { \"block\": \"add\", \"in\": { \"a\": 1e-999 } } }, "
+      "\"outputs\": { \"height\": \"a\" } }");
+  Outcome plain = Run({"tiny.json", "-o", "x.frag"});
+  EXPECT_EQ(plain.exit_code, 0);
+  EXPECT_THAT(plain.error, HasSubstr("warning: "));
+  EXPECT_EQ(Run({"tiny.json", "-o", "x.frag", "-w"}).error, "");
+  Outcome strict = Run({"tiny.json", "-o", "strict.frag", "-Werror"});
+  EXPECT_EQ(strict.exit_code, 1);
+  EXPECT_THAT(strict.error, HasSubstr("error: "));
+  EXPECT_EQ(folder.Read("strict.frag"), "");
+}
+
+TEST_F(Output, ColorsOnlyWhereTheyAreWanted) {
+  EXPECT_EQ(Run({"wrong.json"}).error.find('\x1b'), std::string::npos);  // not a terminal
+  EXPECT_NE(Run({"wrong.json", "--color", "always"}).error.find('\x1b'), std::string::npos);
+}
+
+TEST_F(Output, BlocksAreListedAndDescribed) {
+  Outcome list = Run({"--list-blocks"});
+  EXPECT_EQ(list.exit_code, 0) << list.error;
+  EXPECT_THAT(list.out, HasSubstr("\n  brick_grid "));
+  EXPECT_THAT(list.out, HasSubstr("tiles\n"));
+  Outcome reference = Run({"--print-reference", "brick_grid"});
+  EXPECT_EQ(reference.exit_code, 0) << reference.error;
+  for (const char* part :
+       {"brick_grid  (tiles/brick_grid.glsl)", "row_offset", "default 0.5, range 0 to 1",
+        "const bool", "default uv", "Outputs\n  tile"}) {
+    EXPECT_THAT(reference.out, HasSubstr(part));
+  }
+  Outcome generic = Run({"--print-reference", "add"});
+  EXPECT_THAT(generic.out, HasSubstr("genType is float, vec2, vec3 or vec4"));
+  Outcome unknown = Run({"--print-reference", "brick_gird"});
+  EXPECT_EQ(unknown.exit_code, 1);
+  EXPECT_THAT(unknown.error, HasSubstr("did you mean 'brick_grid'? [unknown-block]"));
+  EXPECT_EQ(unknown.out, "");
+}
+
+}  // namespace
+}  // namespace texgraph
