@@ -48,10 +48,10 @@ void layer(Tile tile, vec2 position_min, vec2 position_max, vec2 scale, vec2 rot
   float side = fit == FIT_CONTAIN ? min(tile.size.x, tile.size.y) : max(tile.size.x, tile.size.y);
   vec2 frame = fit == FIT_STRETCH ? tile.size : vec2(side);
   vec2 along = fit == FIT_STRETCH ? vec2(1.0) : tile.size / side;
-  vec2 across = sin(angle) * (vec2(tile.size.y, -tile.size.x) / frame);
+  vec2 across = vec2(tile.size.y, -tile.size.x) / frame;
   vec2 p = tile.local - mix(position_min, position_max, random2(seed, -1));
   float shrink = 1.0 / size;
-  vec2 q = (cos(angle) * (along * p) + across * p.yx) * shrink + 0.5;
+  vec2 q = cos(angle) * shrink * along * p + (sin(angle) * shrink * across * p.yx + 0.5);
   inner.cell = tile.cell;
   inner.local = q;
   inner.size = size * frame;

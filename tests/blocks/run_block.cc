@@ -28,9 +28,6 @@ float Values::Float(size_t i, size_t component) const {
 
 namespace {
 
-// Where the graphs of RunGraph seem to lie, so that they can use the pictures there.
-const std::string kFolder = TEXGRAPH_SOURCE_DIR "/graphs/brick_wall/";
-
 uint32_t FloatBits(double value) { return std::bit_cast<uint32_t>(static_cast<float>(value)); }
 
 // `values` in `lanes` lanes: repeated if there is one, else the last once more at the end.
@@ -195,9 +192,9 @@ namespace {
 
 // The graph with its module, or nothing, with the diagnostics as test failures.
 // `sources` must live as long as it: names point into the text.
-std::optional<Lowered> LowerGraph(std::string_view text, bool optimize, Sources& sources,
-                                  Diagnostics& diagnostics) {
-  SourceId source = sources.Add(kFolder + "test.json", std::string(text));
+std::optional<Lowered> LowerGraph(std::string_view text, const std::string& folder, bool optimize,
+                                  Sources& sources, Diagnostics& diagnostics) {
+  SourceId source = sources.Add(folder + "test.json", std::string(text));
   CompileOptions options;
   options.optimize = optimize;
   std::optional<Lowered> lowered =
@@ -216,7 +213,7 @@ struct Textures {
   std::vector<const ir::Texture*> by_global;
 };
 
-Textures LoadTextures(const Lowered& lowered) {
+Textures LoadTextures(const Lowered& lowered, const std::string& folder) {
   const ir::Module& module = *lowered.module;
   Textures loaded;
   loaded.textures.reserve(module.globals.size());
@@ -228,7 +225,7 @@ Textures LoadTextures(const Lowered& lowered) {
         continue;
       }
       Diagnostics diagnostics;
-      auto image = textures::ReadImage(kFolder + std::string(texture.files[0]), {}, diagnostics);
+      auto image = textures::ReadImage(folder + std::string(texture.files[0]), {}, diagnostics);
       EXPECT_TRUE(image.has_value());
       textures::TextureOptions options;
       options.srgb = texture.color_space == graph::ColorSpace::kSrgb;
@@ -254,10 +251,10 @@ std::vector<uint32_t> QuadsOf(const std::vector<Point>& points, Point pixel) {
   return words;
 }
 
-std::map<std::string, Values> EvaluateGraph(const Lowered& lowered,
+std::map<std::string, Values> EvaluateGraph(const Lowered& lowered, const std::string& folder,
                                             const std::vector<Point>& points, Point pixel) {
   const ir::Module& module = *lowered.module;
-  Textures textures = LoadTextures(lowered);
+  Textures textures = LoadTextures(lowered, folder);
   size_t lanes = 4 * points.size();
   ir::EvaluateInputs inputs;
   inputs.lanes = static_cast<uint32_t>(lanes);
@@ -288,17 +285,19 @@ std::map<std::string, Values> EvaluateGraph(const Lowered& lowered,
 
 }  // namespace
 
+std::string PictureFolder() { return TEXGRAPH_SOURCE_DIR "/graphs/brick_wall/"; }
+
 std::map<std::string, Values> RunGraph(std::string_view text, const std::vector<Point>& points,
-                                       Point pixel, double tolerance) {
+                                       Point pixel, double tolerance, const std::string& folder) {
   Sources sources;
   Diagnostics diagnostics;
-  std::optional<Lowered> plain = LowerGraph(text, false, sources, diagnostics);
-  std::optional<Lowered> optimized = LowerGraph(text, true, sources, diagnostics);
+  std::optional<Lowered> plain = LowerGraph(text, folder, false, sources, diagnostics);
+  std::optional<Lowered> optimized = LowerGraph(text, folder, true, sources, diagnostics);
   if (!plain.has_value() || !optimized.has_value()) {
     return {};
   }
-  std::map<std::string, Values> expected = EvaluateGraph(*plain, points, pixel);
-  std::map<std::string, Values> outputs = EvaluateGraph(*optimized, points, pixel);
+  std::map<std::string, Values> expected = EvaluateGraph(*plain, folder, points, pixel);
+  std::map<std::string, Values> outputs = EvaluateGraph(*optimized, folder, points, pixel);
   for (const auto& [name, values] : outputs) {
     for (size_t i = 0; i < values.words.size(); ++i) {
       double seen = std::bit_cast<float>(values.words[i]);

@@ -63,11 +63,15 @@ struct Point {
   double y = 0;
 };
 
+// The folder of the pictures that the graphs of RunGraph use, if none is given.
+std::string PictureFolder();
+
 // The graph's outputs at points of the texture plane, `pixel` being how much uv changes from one
 // pixel to the next, to the right and upwards. `text` is a graph in JSON that seems to lie in
-// graphs/brick_wall/, and may use the pictures there. Evaluates it once with all optimisations and
-// once without any, and fails the test where they differ by more than `tolerance`.
+// `folder`. Evaluates it once with all optimisations and once without any, and fails the test where
+// they differ by more than `tolerance`.
 std::map<std::string, Values> RunGraph(std::string_view text, const std::vector<Point>& points,
-                                       Point pixel, double tolerance = 1e-4);
+                                       Point pixel, double tolerance = 1e-4,
+                                       const std::string& folder = PictureFolder());
 
 }  // namespace texgraph::blocks
