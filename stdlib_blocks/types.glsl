@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The struct types of the library. Every block may use them; a graph may carry them on a wire.
 
-/// One tile of a tiling, as seen from one point: what a block needs to draw something else in every tile.
+/// One tile of a tiling, as seen from one point: what a block needs to draw something else in every
+/// tile.
 ///
 /// cell: which tile, as column and row. All points of a tile have the same.
-/// local: the point in the tile's own frame, (0, 0) at its lower left corner, (1, 1) at its upper right.
-/// size: width and height of that frame in texture space, so that lengths and angles can be kept there.
+/// local: the point in the tile's own frame, from (0, 0) at its lower left corner to (1, 1).
+/// size: width and height of that frame in texture space, to keep lengths and angles there.
 /// seed: random bits that all points of a tile share and no two tiles have in common; see `random`.
 ///
 /// A layer gives a tile as well, its own frame, in which `local` may lie outside the unit square.

@@ -13,13 +13,15 @@ float progress(float position, float first, float second, const int curve) {
 }
 
 /// Turns a number into a colour: a gradient through two, three or four colours at given positions.
-/// Positions rise; before the first and after the last the colour is constant. Colours are mixed in linear light.
+/// Positions rise; before the first and after the last the colour is constant. Colours are mixed in
+/// linear light.
 /// @param position where in the gradient, a noise for example
 /// @param color_1 colour at the first stop @default vec4(0, 0, 0, 1)
 /// @param color_2 colour at the second stop @default vec4(1)
 /// @param stop_1 position of the first colour @default 0
 /// @param stop_2 position of the second colour @default 1
-/// @param curve how the colours pass into each other: linear, smooth (without kinks) or in steps at each later stop @default CURVE_LINEAR
+/// @param curve how the colours pass into each other: linear, smooth (without kinks) or in steps at
+///   each later stop @default CURVE_LINEAR
 vec4 color_ramp(float position, vec4 color_1, vec4 color_2, float stop_1, float stop_2,
                 const int curve) {
   return mix(color_1, color_2, progress(position, stop_1, stop_2, curve));

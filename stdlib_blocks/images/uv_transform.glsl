@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Moves, turns and scales whatever is drawn at its result.
-/// What is drawn is scaled and then turned about the pivot, and then moved; so the coordinate is taken the opposite way,
-/// R(-rotation) * (uv - pivot - translate) / scale + pivot.
+/// What is drawn is scaled and then turned about the pivot, and then moved; so the coordinate is
+/// taken the opposite way, R(-rotation) * (uv - pivot - translate) / scale + pivot.
 /// @param uv coordinate @default uv
 /// @param translate how far to move to the right and up @default vec2(0)
 /// @param rotation how far to turn counter-clockwise @default 0 @unit degrees

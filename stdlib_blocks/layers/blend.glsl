@@ -38,15 +38,16 @@ vec3 mode_color(vec3 front, vec3 back, const int mode) {
 }
 
 /// Lays one colour over another.
-/// Where there is a background the foreground's colour is what the mode makes of both, and the two are composited with "source
-/// over". All colours have straight alpha, the result as well.
-/// @source W3C, Compositing and Blending Level 1, sections 5.8, 5.9 and 9.1; Porter and Duff, Compositing Digital Images,
-///   SIGGRAPH 1984
+/// Where there is a background the foreground's colour is what the mode makes of both, and the two
+/// are composited with "source over". All colours have straight alpha, the result as well.
+/// @source W3C, Compositing and Blending Level 1, sections 5.8, 5.9 and 9.1; Porter and Duff,
+///   Compositing Digital Images, SIGGRAPH 1984
 /// @param foreground what is laid on top
 /// @param background what lies below
-/// @param mode how colours meet: mix shows the foreground; add and subtract don't stop at 1 but at 0; multiply darkens, screen
-///   lightens; overlay does both, as the background says; darken and lighten keep the smaller and the larger value;
-///   difference is the distance between them @default MODE_MIX
+/// @param mode how colours meet: mix shows the foreground; add and subtract don't stop at 1 but at
+///   0; multiply darkens, screen lightens; overlay does both, as the background says; darken and
+///   lighten keep the smaller and the larger value; difference is the distance between them
+///   @default MODE_MIX
 /// @param opacity of the foreground @default 1 @range 0 1
 /// @param mask where the foreground is shown: another factor of its opacity @default 1 @range 0 1
 vec4 blend(vec4 foreground, vec4 background, const int mode, float opacity, float mask) {

@@ -3,13 +3,15 @@ const int FIT_STRETCH = 0;
 const int FIT_CONTAIN = 1;
 const int FIT_COVER = 2;
 
-/// Draws an image once in every tile, each time a little different: moved, scaled, turned and faded at random within limits.
-/// Give it the `inner` tile of another layer to make it that layer's child: it then moves, turns and scales with its parent,
-/// as if it were painted on it, and varies on its own on top of that.
-/// Angles and shapes are kept in texture space: a long brick that is turned does not shear. An element is not drawn beyond its
-/// cell: what sticks out is cut off. The colour is transparent outside the image, with antialiased edges.
-/// @source the brick shader generator, sections 3.1 and 3.2: parameters with a minimum and a maximum for each element of a
-///   tile's template, and parents
+/// Draws an image once in every tile, each time a little different: moved, scaled, turned and faded
+/// at random within limits.
+/// Give it the `inner` tile of another layer to make it that layer's child: it then moves, turns
+/// and scales with its parent, as if it were painted on it, and varies on its own on top of that.
+/// Angles and shapes are kept in texture space: a long brick that is turned does not shear. An
+/// element is not drawn beyond its cell: what sticks out is cut off. The colour is transparent
+/// outside the image, with antialiased edges.
+/// @source the brick shader generator, sections 3.1 and 3.2: parameters with a minimum and a
+///   maximum for each element of a tile's template, and parents
 /// @param image what is drawn, from (0, 0) at its lower left corner to (1, 1); straight alpha
 /// @param tile where it is drawn: a tile of a grid, or the `inner` of a parent layer
 /// @param position_min left and lower limit of the centre's position, in tiles @default vec2(0.5)
@@ -19,17 +21,18 @@ const int FIT_COVER = 2;
 /// @param opacity least and greatest opacity @default vec2(1) @range 0 1
 /// @param chance the share of the tiles in which the image is drawn @default 1 @range 0 1
 /// @param tint what the image's colour is multiplied by @default vec3(1)
-/// @param fit the shape at scale 1: stretch, that of the tile; contain, the largest square that fits in; cover, the smallest
-///   square that covers the tile @default FIT_STRETCH
+/// @param fit the shape at scale 1: stretch, that of the tile; contain, the largest square that
+///   fits in; cover, the smallest square that covers the tile @default FIT_STRETCH
 /// @param stream layers with different streams vary independently of each other @default 0
 /// @param color the layer's colour, straight alpha
 /// @param inner the frame of the image, as a tile for child layers
 vec4 image(vec2 uv);
 
 // The share of the pixel within its cell that the element covers, for each axis of the element.
-// Dividing by the share of the pixel that lies in the cell makes an element that fills its cell opaque up to the border,
-// where the neighbour goes on. Beyond the size of a cell the pixel's footprint counts as the cell, so that far away the
-// coverage is the share of the cell that the element takes.
+// Dividing by the share of the pixel that lies in the cell makes an element that fills its cell
+// opaque up to the border, where the neighbour goes on. Beyond the size of a cell the pixel's
+// footprint counts as the cell, so that far away the coverage is the share of the cell that the
+// element takes.
 float coverage(vec2 q, vec2 cell_in_q, vec2 local) {
   vec2 density = 1.0 / clamp(footprint(q), vec2(1e-5), cell_in_q);
   vec2 share = min((0.5 - abs(q - 0.5)) * density + 0.5, density);

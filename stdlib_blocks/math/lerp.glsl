@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Goes from one value to another in a straight line: `a` where the amount is 0, `b` where it is 1. GLSL's mix.
+/// Goes from one value to another in a straight line: `a` where the amount is 0, `b` where it is 1.
+/// GLSL's mix.
 /// For colours that have opacity, see `blend`.
 /// @param a value at 0
 /// @param b value at 1

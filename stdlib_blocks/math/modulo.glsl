@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What a division leaves over, from 0 up to but not including the divisor, also below zero: `a - b * floor(a / b)`.
+/// What a division leaves over, from 0 up to but not including the divisor, also below zero: `a - b
+/// * floor(a / b)`.
 /// A divisor of 0 gives 0.
 /// @param a what is divided
 /// @param b the divisor @default 1

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Moves a value from one range to another: `in_low` becomes `out_low`, `in_high` becomes `out_high`.
+/// Moves a value from one range to another: `in_low` becomes `out_low`, `in_high` becomes
+/// `out_high`.
 /// Where the first range is empty the result is `out_low`.
 /// @param value the value
 /// @param in_low start of the range that the value comes from @default 0

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Rises from 0 to 1 while the value goes from `low` to `high`, without a kink at either end (3t^2 - 2t^3).
+/// Rises from 0 to 1 while the value goes from `low` to `high`, without a kink at either end (3t^2
+/// - 2t^3).
 /// Where `high` is not above `low` it is a jump at `low`.
 /// @param value the value
 /// @param low where the rise begins @default 0

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Two values in turn, like the squares of a chessboard; the square at the origin has the first.
-/// Filtered analytically: the exact mean over a box as large as the pixel's footprint, so that it neither has jagged edges nor
-/// shimmers, and far away is the mean of the two. The integral of the square wave is a triangle wave.
-/// @source Peachey, in Ebert et al., Texturing and Modeling, 3rd edition, chapter 2, "Analytic prefiltering"; the product of
-///   two waves: Quilez, Filtering the checkerboard pattern
+/// Filtered analytically: the exact mean over a box as large as the pixel's footprint, so that it
+/// neither has jagged edges nor shimmers, and far away is the mean of the two. The integral of the
+/// square wave is a triangle wave.
+/// @source Peachey, in Ebert et al., Texturing and Modeling, 3rd edition, chapter 2, "Analytic
+///   prefiltering"; the product of two waves: Quilez, Filtering the checkerboard pattern
 /// @param uv coordinate @default uv
 /// @param scale squares for each unit of the coordinate, across and up @default vec2(8)
 /// @param a value of the first squares @default 0

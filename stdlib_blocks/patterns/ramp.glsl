@@ -2,7 +2,8 @@
 const int DIRECTION_ACROSS = 0;
 const int DIRECTION_UP = 1;
 
-/// A straight gradient from one value to another while the coordinate goes from 0 to 1; constant beyond.
+/// A straight gradient from one value to another while the coordinate goes from 0 to 1; constant
+/// beyond.
 /// @param uv coordinate @default uv
 /// @param a value at 0 @default 0
 /// @param b value at 1 @default 1

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A rectangle as a mask: 1 inside, 0 outside, antialiased: the exact share of a box as large as the pixel's footprint.
+/// A rectangle as a mask: 1 inside, 0 outside, antialiased: the exact share of a box as large as
+/// the pixel's footprint.
 /// @param uv coordinate @default uv
 /// @param center middle of the rectangle @default vec2(0.5)
 /// @param size width and height @default vec2(1)

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 float corner(int x, uint row) { return float(hash(uint(x) + row) >> 8u) * 5.9604644775390625e-8; }
 
-/// Smooth random hills: a random number from 0 to 1 at each corner of a square grid, and between them a curve without kinks.
-/// The curve is 6t^5 - 15t^4 + 10t^3. Where a cell is no larger than a pixel, the result has faded to its mean, 0.5; the fading
-/// begins where a cell is two pixels large.
-/// @source Ebert et al., Texturing and Modeling, 3rd edition, chapter 2, "Lattice noises"; the curve: Perlin, Improving Noise,
-///   SIGGRAPH 2002; the fading: Apodaca and Gritz, Advanced RenderMan, chapter 11
+/// Smooth random hills: a random number from 0 to 1 at each corner of a square grid, and between
+/// them a curve without kinks.
+/// The curve is 6t^5 - 15t^4 + 10t^3. Where a cell is no larger than a pixel, the result has faded
+/// to its mean, 0.5; the fading begins where a cell is two pixels large.
+/// @source Ebert et al., Texturing and Modeling, 3rd edition, chapter 2, "Lattice noises"; the
+///   curve: Perlin, Improving Noise, SIGGRAPH 2002; the fading: Apodaca and Gritz, Advanced
+///   RenderMan, chapter 11
 /// @param uv coordinate @default uv
 /// @param scale cells for each unit of the coordinate @default vec2(8)
 /// @param seed another seed gives another pattern @default 0

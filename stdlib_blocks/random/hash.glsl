@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Random bits from an integer: equal for equal inputs, unrelated for different ones, the same on every machine.
+/// Random bits from an integer: equal for equal inputs, unrelated for different ones, the same on
+/// every machine.
 /// The permutation is PCG RXS-M-XS of 32 bits. A cell of a grid gets h(column + h(row + h(seed))).
-/// @source O'Neill, PCG: A Family of Simple Fast Space-Efficient Statistically Good Algorithms for Random Number Generation,
-///   2014, section 6.3.4; nesting: Jarzynski and Olano, Hash Functions for GPU Rendering, JCGT 9(3), 2020, section 4.3
+/// @source O'Neill, PCG: A Family of Simple Fast Space-Efficient Statistically Good Algorithms for
+///   Random Number Generation, 2014, section 6.3.4; nesting: Jarzynski and Olano, Hash Functions
+///   for GPU Rendering, JCGT 9(3), 2020, section 4.3
 /// @param value an integer
 /// @return 32 random bits
 uint hash(uint value) {

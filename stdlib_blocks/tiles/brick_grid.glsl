@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Divides the surface into bricks: rows of equal height, each moved sideways, and columns.
-/// Every point learns in which brick it lies, where in it, and random bits that are the brick's own.
-/// The column is counted after the row was moved, so that a brick has one number from end to end. The random bits are
-/// hash(column + hash(row + hash(seed))).
-/// @source the tile template of the brick shader generator, section 3.2; row offset and jitter added
+/// Every point learns in which brick it lies, where in it, and random bits that are the brick's
+/// own. The column is counted after the row was moved, so that a brick has one number from end to
+/// end. The random bits are hash(column + hash(row + hash(seed))).
+/// @source the tile template of the brick shader generator, section 3.2; row offset and jitter
+///   added
 /// @param uv coordinate @default uv
 /// @param rows rows for each unit of the coordinate @default 8 @range 1 4096
 /// @param columns bricks for each unit of the coordinate, in a row @default 4 @range 1 4096
-/// @param row_offset how far every second row is moved to the left, in bricks; 0.5 is a running bond @default 0.5 @range 0 1
-/// @param row_jitter how far each row is moved to the left at random, up to that many bricks @default 0 @range 0 1
+/// @param row_offset how far every second row is moved to the left, in bricks; 0.5 is a running
+///   bond @default 0.5 @range 0 1
+/// @param row_jitter how far each row is moved to the left at random, up to that many bricks
+///   @default 0 @range 0 1
 /// @param seed another seed gives other random bits @default 0
-/// @param toroidal whether the bricks repeat with each unit of the coordinate, for a texture without a border; with an odd
-///   number of rows the last and the first are not offset from each other @default false
+/// @param toroidal whether the bricks repeat with each unit of the coordinate, for a texture
+///   without a border; with an odd number of rows the last and the first are not offset from each
+///   other @default false
 /// @param tile the brick
 void brick_grid(vec2 uv, int rows, int columns, float row_offset, float row_jitter, int seed,
                 const bool toroidal, out Tile tile) {
