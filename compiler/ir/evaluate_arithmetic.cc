@@ -15,8 +15,7 @@ float Max(float x, float y) { return x < y ? y : x; }
 // 0 for both zeros and for NaN.
 float Sign(float x) { return x > 0.0f ? 1.0f : x < 0.0f ? -1.0f : 0.0f; }
 
-// GLSL leaves halves to the implementation; to even is what Mesa and the instructions of current
-// GPUs do.
+// GLSL's roundEven, which is how the operation is printed; round leaves halves to the driver.
 float RoundEven(float x) {
   float below = std::floor(x);
   float rest = x - below;  // exact

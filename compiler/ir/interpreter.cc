@@ -53,8 +53,7 @@ void Interpreter::Run(FunctionId function, std::span<const uint32_t* const> argu
   Call(function, slots, WholeQuads(active), results);
 }
 
-// --- Values
-// ------------------------------------------------------------------------------------------------------
+// --- Values --------------------------------------------------------------------------------------
 
 const uint32_t* Interpreter::ConstantWords(ConstId id) {
   std::vector<uint32_t>& splat = constants_[id.index];
@@ -86,8 +85,7 @@ void Interpreter::CopyResults(Frame& frame, RegionId region, uint32_t* to) {
   }
 }
 
-// --- Instructions
-// ------------------------------------------------------------------------------------------------
+// --- Instructions --------------------------------------------------------------------------------
 
 void Interpreter::Call(FunctionId function, std::span<const Slot> arguments, uint64_t active,
                        uint32_t* results) {

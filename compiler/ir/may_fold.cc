@@ -57,9 +57,6 @@ bool FloatDefined(Op op, std::span<const uint32_t* const> x, uint32_t i) {
     case Op::kAsin:
     case Op::kAcos:
       return std::fabs(at(0)) <= 1.0f;
-    // Halves go up, down or to even.
-    case Op::kRound:
-      return std::fabs(at(0) - std::trunc(at(0))) != 0.5f;
     default:
       return true;
   }

@@ -104,8 +104,7 @@ ValueId FunctionParser::Parameter(RegionId region, const Token& name, TypeId typ
   return v;
 }
 
-// --- The header
-// --------------------------------------------------------------------------------------------------
+// --- The header ----------------------------------------------------------------------------------
 
 bool FunctionParser::Parse() {
   ranges_.header = reader_.Peek().range;
@@ -154,8 +153,7 @@ bool FunctionParser::ParseResults() {
   return reader_.Expect(")");
 }
 
-// --- Bodies
-// ------------------------------------------------------------------------------------------------------
+// --- Bodies --------------------------------------------------------------------------------------
 
 bool FunctionParser::ParseRegion(RegionId region, std::string_view end) {
   if (open_.size() == kMaxRegionDepth) {
@@ -310,8 +308,7 @@ bool FunctionParser::ParseFor(Statement& statement) {
   return reader_.Expect("}");
 }
 
-// --- Operands
-// ----------------------------------------------------------------------------------------------------
+// --- Operands ------------------------------------------------------------------------------------
 
 bool FunctionParser::ParseOperands(std::vector<ValueId>& operands) {
   do {

@@ -86,8 +86,7 @@ OriginId TextReader::ReadOrigin(OriginId otherwise) {
   return OriginId(index);
 }
 
-// --- Types
-// -------------------------------------------------------------------------------------------------------
+// --- Types ---------------------------------------------------------------------------------------
 
 TypeId TextReader::ReadType() { return ReadTypeAt(0); }
 
@@ -134,8 +133,7 @@ TypeId TextReader::ReadTypeAt(uint32_t depth) {
   return ok() ? type : TypeId();
 }
 
-// --- Literals
-// ----------------------------------------------------------------------------------------------------
+// --- Literals ------------------------------------------------------------------------------------
 
 ConstId TextReader::ReadConstant() {
   std::vector<uint32_t> words;

@@ -20,8 +20,7 @@ const Texel& At(const Level& level, uint32_t x, uint32_t y, uint32_t z) {
   return level.texels[(size_t{z} * level.height + y) * level.width + x];
 }
 
-// --- Wrapping (8.14.2, table 8.20)
-// -------------------------------------------------------------------------------
+// --- Wrapping (8.14.2, table 8.20) ---------------------------------------------------------------
 
 // `i` is a whole number, however large. Powers of two beyond 2^53 have no neighbours that differ by
 // one; they wrap all the same.
@@ -70,8 +69,7 @@ uint32_t LayerOf(float coordinate, uint32_t layers) {
   return static_cast<uint32_t>(std::clamp(std::floor(double{coordinate} + 0.5), 0.0, layers - 1.0));
 }
 
-// --- Filtering within a level (8.14.2, equations 8.18 to 8.21)
-// ---------------------------------------------------
+// --- Filtering within a level (8.14.2, equations 8.18 to 8.21) -----------------------------------
 
 Texel Blend(const Texel& a, const Texel& b, float t) {
   Texel r;
@@ -97,8 +95,7 @@ Texel SampleLevel(const Texture& texture, const float* coordinate, size_t index)
   return Blend(Plane(level, u, v, w.i0), Plane(level, u, v, w.i1), w.alpha);
 }
 
-// --- The footprint (8.14.1, equation 8.8)
-// ------------------------------------------------------------------------
+// --- The footprint (8.14.1, equation 8.8) --------------------------------------------------------
 
 // The length of one gradient in texels of level 0.
 double LengthInTexels(const Texture& texture, const float* gradient) {

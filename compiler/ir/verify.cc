@@ -279,8 +279,7 @@ bool FunctionVerifier::ForFits(ValueId v, uint32_t depth) {
   return same || FailAt(v, "first values of another type than " + types_.Text(f_[v].type));
 }
 
-// --- The module
-// --------------------------------------------------------------------------------------------------
+// --- The module ----------------------------------------------------------------------------------
 
 std::string GlobalProblem(const Module& module, const Global& global) {
   if (global.type.index >= module.types.size()) return "no such type";

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <bit>
 #include <cmath>
@@ -44,8 +45,7 @@ std::vector<float> Lanes(uint32_t n, const std::function<float(uint32_t)>& value
   return lanes;
 }
 
-// --- Lanes and batches
-// -------------------------------------------------------------------------------------------
+// --- Lanes and batches ---------------------------------------------------------------------------
 
 TEST(Evaluate, EveryLaneOfEveryBatch) {
   Module module = ModuleFrom(R"(input x: float
@@ -144,8 +144,7 @@ main main)");
   EXPECT_THAT(Floats(results[3]), ElementsAre(0, 1, 2, 99));
 }
 
-// --- Branches
-// ----------------------------------------------------------------------------------------------------
+// --- Branches ------------------------------------------------------------------------------------
 
 constexpr char kNestedIfs[] = R"(input x: float
 function main() -> float {
@@ -196,8 +195,7 @@ TEST(Evaluate, IfsWhereAllLanesAgree) {
   }
 }
 
-// --- Loops
-// -------------------------------------------------------------------------------------------------------
+// --- Loops ---------------------------------------------------------------------------------------
 
 TEST(Evaluate, LoopsCarryValues) {
   Module module = ModuleFrom(R"(input x: float
@@ -313,8 +311,7 @@ main main)");
   EXPECT_EQ(RunOn(module, x), Lanes(4, [&](uint32_t lane) { return expected(x[lane]); }));
 }
 
-// --- Calls and fields
-// --------------------------------------------------------------------------------------------
+// --- Calls and fields ----------------------------------------------------------------------------
 
 TEST(Evaluate, CallsGiveOneOrSeveralResults) {
   Module module = ModuleFrom(R"(input x: float
@@ -423,8 +420,7 @@ main main)");
   EXPECT_THAT(RunOn(module, {0.25f, 1, 3, 1024}), ElementsAre(0.25f, 0.5f, 0.75f, 1));
 }
 
-// --- Quads
-// -------------------------------------------------------------------------------------------------------
+// --- Quads ---------------------------------------------------------------------------------------
 
 TEST(Evaluate, DerivativesAreDifferencesInTheQuad) {
   Module module = ModuleFrom(R"(input x: float
@@ -478,8 +474,7 @@ main main)");
   EXPECT_THAT(RunOn(module, many), ElementsAre(0, 0, 0, 0, -27, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0));
 }
 
-// --- Textures
-// ----------------------------------------------------------------------------------------------------
+// --- Textures ------------------------------------------------------------------------------------
 
 // Level l is everywhere 10 l.
 Texture Staircase(uint32_t size) {
@@ -564,8 +559,32 @@ main main)");
               ElementsAre(0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1));
 }
 
-// --- Limits
-// ------------------------------------------------------------------------------------------------------
+// Each call needs 8 kB for 64 lanes: 60,000 of them would take 480 MB if they kept it.
+TEST(Evaluate, CallsGiveTheirMemoryBack) {
+  Module module = ModuleFrom(R"(input x: float
+function f(%a: float) -> float {
+  %v = splat %a : mat4
+  %w = add %v, %v : mat4
+  %c = extract.1 %w : vec4
+  %r = extract.2 %c : float
+  return %r
+}
+function main() -> float {
+  %l = for %i = 0 to 60000 step 1 (%s = @x) : float {
+    %r = call f(1.5) : float
+    yield %r
+  }
+  return %l
+}
+main main)");
+  rusage before{}, after{};
+  getrusage(RUSAGE_SELF, &before);
+  EXPECT_EQ(RunOn(module, std::vector<float>(64, 0.0f)), std::vector<float>(64, 3.0f));
+  getrusage(RUSAGE_SELF, &after);
+  EXPECT_LT(after.ru_maxrss - before.ru_maxrss, 100 * 1024);  // in kB
+}
+
+// --- Limits --------------------------------------------------------------------------------------
 
 std::string ChainOfCalls(uint32_t length) {
   std::string text = "function f0(%x: float) -> float { return %x }\n";

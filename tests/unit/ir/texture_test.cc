@@ -44,8 +44,7 @@ float Red(const Texture& texture, float u, float lod = 0.0f) {
   return SampleLod(texture, at, lod)[0];
 }
 
-// --- The slow reference
-// ------------------------------------------------------------------------------------------
+// --- The slow reference --------------------------------------------------------------------------
 
 int WalkToTexel(int i, int size, Wrap wrap) {
   while (i < 0 || i >= size) {
@@ -89,8 +88,7 @@ std::array<double, 4> ReferenceLinear(const Texture& texture, const float* at, s
   return sum;
 }
 
-// --- Within one level
-// --------------------------------------------------------------------------------------------
+// --- Within one level ----------------------------------------------------------------------------
 
 TEST(Texture, NearestTakesTheTexelThatTheCoordinateIsIn) {
   Texture texture = Row({10, 20, 30, 40});
@@ -214,8 +212,7 @@ TEST(Texture, LinearFilteringAgreesWithTheTent) {
   }
 }
 
-// --- Layers and slices
-// -------------------------------------------------------------------------------------------
+// --- Layers and slices ---------------------------------------------------------------------------
 
 TEST(Texture, LayersAreRoundedAndClampedNeverBlended) {
   Texture texture;
@@ -249,8 +246,7 @@ TEST(Texture, SlicesAreBlended) {
   EXPECT_EQ(slice(1.0f), 20);
 }
 
-// --- Levels
-// ------------------------------------------------------------------------------------------------------
+// --- Levels --------------------------------------------------------------------------------------
 
 // Level l is everywhere l * 10.
 Texture Staircase(uint32_t size) {
@@ -353,8 +349,7 @@ TEST(Texture, AnisotropicSamplesLieAlongTheLongerAxis) {
   EXPECT_FLOAT_EQ(SampleGrad(texture, at, wide, dy)[0], (3 + 5) / 2.0f);
 }
 
-// --- Mip chains
-// --------------------------------------------------------------------------------------------------
+// --- Mip chains ----------------------------------------------------------------------------------
 
 TEST(Texture, MipChainHalvesDownToOneTexel) {
   Texture texture = RandomTexture(12, 5, 1, 3);
@@ -414,8 +409,7 @@ TEST(Texture, LayersKeepTheirNumberAndDoNotMix) {
   EXPECT_EQ(texture.levels[1].texels[1][0], 20);
 }
 
-// --- Fetch
-// -------------------------------------------------------------------------------------------------------
+// --- Fetch ---------------------------------------------------------------------------------------
 
 TEST(Texture, FetchTakesTexelsAndZerosOutside) {
   Texture texture = Row({10, 20, 30, 40});

@@ -281,8 +281,7 @@ TEST(Verify, RefusesFunctionsThatDoNotFit) {
             "function f: main has parameters");
 }
 
-// --- What text cannot say
-// ----------------------------------------------------------------------------------------
+// --- What text cannot say ------------------------------------------------------------------------
 
 class VerifyByHand : public testing::Test {
  protected:
