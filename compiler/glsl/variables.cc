@@ -119,8 +119,10 @@ void Variables::CreateResults(ValueId v, const Statement& statement, size_t posi
   }
   for (uint32_t r = 0; r < uses_.ResultCount(v); ++r) {
     uint32_t slot = uses_.FirstSlot(v) + r;
-    // An out parameter needs a variable even if nothing reads it.
-    bool is_out = inst.op == Op::kCall && !module_[FunctionId(inst.aux)].results[r].name.empty();
+    // An out parameter needs a variable even if nothing reads it. Only the first result is
+    // returned.
+    bool is_out =
+        inst.op == Op::kCall && (r > 0 || !module_[FunctionId(inst.aux)].results[0].name.empty());
     if (!uses_.SlotLive(slot) && !is_out) continue;
     TypeId type = uses_.IsTuple(v) ? module_.types.ElementType(inst.type, r) : inst.type;
     of_slot_[slot] = Add(type, NameOfResult(v, r), v, r, statement.region, position);
