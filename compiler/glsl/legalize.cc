@@ -133,7 +133,12 @@ ValueId Legalizer::ByComponent(ValueId old) {
   std::vector<ValueId> parts;
   for (uint32_t i = 0; i < ir::Width(inst.type); ++i) {
     std::vector<ValueId> components;
-    for (ValueId v : x) components.push_back(to_.Extract(v, i));
+    for (ValueId v : x) {
+      bool constant = to_.IsConst(v);
+      components.push_back(constant
+                               ? to_.Const(ir::ScalarType(to_.TypeOf(v)), {{to_.ConstWords(v)[i]}})
+                               : to_.Extract(v, i));
+    }
     parts.push_back(to_.Emit(inst.op, ir::ScalarType(inst.type), components));
   }
   return to_.Construct(inst.type, parts);

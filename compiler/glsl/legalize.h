@@ -21,7 +21,7 @@ inline constexpr size_t kMostOutputs = 8;
 inline constexpr size_t kSureUniformComponents = 1024;
 inline constexpr size_t kMostUniformComponents = 4096;
 // Ifs and loops inside one another: compilers of GLSL parse and traverse them recursively.
-inline constexpr size_t kMostNesting = 256;
+inline constexpr size_t kMostNesting = 200;
 // llvmpipe ends loops without a word after this many rounds of all loops of a shader together.
 inline constexpr uint64_t kMostRounds = 65535;
 

@@ -9,27 +9,39 @@ namespace {
 // A nest of regions may be deeper than a line is wide.
 constexpr size_t kMaxIndent = 40;
 
+// How strongly what stands around the space at `i` holds together: after a comma least, then before
+// operators as they bind. 0: no place to break at.
+int Strength(std::string_view text, size_t i) {
+  if (i == 0 || i + 2 >= text.size()) return 0;
+  if (text[i - 1] == ',' || text[i - 1] == ';') return 1;
+  size_t end = text.find(' ', i + 1);
+  if (end == std::string_view::npos || end > i + 3) return 0;
+  std::string_view word = text.substr(i + 1, end - i - 1);
+  if (word == "?" || word == ":") return 2;
+  if (word == "||" || word == "^^" || word == "&&") return 3;
+  if (word == "<" || word == ">" || word == "<=" || word == ">=" || word == "==" || word == "!=")
+    return 4;
+  if (word == "|" || word == "^" || word == "&" || word == "<<" || word == ">>") return 5;
+  if (word == "+" || word == "-") return 6;
+  return word == "*" || word == "/" || word == "%" ? 7 : 0;
+}
+
 // The number of characters that stay on this line, at most `room` if there is a place to break.
 size_t BreakAt(std::string_view text, size_t room) {
   size_t best = std::string_view::npos;
-  int best_depth = 0;
-  int depth = 0;
-  for (size_t i = 0; i + 1 < text.size(); ++i) {
-    if (i >= room && best != std::string_view::npos) break;
+  int best_strength = 0, depth = 0;
+  for (size_t i = 0; i < text.size(); ++i) {
+    if (i > room && best != std::string_view::npos) break;
     if (text[i] == '(' || text[i] == '[' || text[i] == '{') ++depth;
     if (text[i] == ')' || text[i] == ']' || text[i] == '}') --depth;
-    // After a comma, or before an operator, which has spaces on both sides.
-    bool space = text[i] == ' ' && i > 0;
-    bool comma = space && (text[i - 1] == ',' || text[i - 1] == ';');
-    bool operation = space && i + 2 < text.size() && text[i + 1] != '=' && text[i + 1] != '{' &&
-                     (text[i + 2] == ' ' || (i + 3 < text.size() && text[i + 3] == ' ')) &&
-                     text.find_first_of("+-*/%<>=!&|^?:", i + 1) == i + 1;
+    int strength = text[i] == ' ' ? Strength(text, i) : 0;
+    if (strength == 0) continue;
+    strength += 8 * depth;
     // The first half of a line is too soon, unless nothing else will do.
-    bool late = i >= room / 2 || best == std::string_view::npos;
-    if ((comma || operation) && late &&
-        (best == std::string_view::npos || depth <= best_depth || best < room / 2)) {
+    bool soon = best == std::string_view::npos || best < room / 2;
+    if (soon || strength <= best_strength) {
       best = i;
-      best_depth = depth;
+      best_strength = strength;
     }
   }
   return best;

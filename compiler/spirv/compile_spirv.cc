@@ -19,9 +19,10 @@ bool StartGlslang() {
 
 // The first line of a log that says something.
 std::string FirstLine(std::string_view log) {
-  size_t begin = log.find_first_not_of("\r\n");
+  size_t begin = log.find_first_not_of(" \r\n");
   if (begin == std::string_view::npos) return "no reason given";
-  return Printable(log.substr(begin, log.find_first_of("\r\n", begin) - begin));
+  log = log.substr(begin, log.find_first_of("\r\n", begin) - begin);
+  return Printable(log.substr(0, log.find_last_not_of(' ') + 1));
 }
 
 std::nullopt_t Fail(SourceRange where, std::string message, Diagnostics& diagnostics) {

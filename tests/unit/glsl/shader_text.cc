@@ -83,6 +83,7 @@ testing::AssertionResult IsValid(const std::string& module_text) {
 
 std::string LegalizeReport(std::string module_text, Dialect dialect) {
   ir::Module module = ModuleOf(std::move(module_text));
+  if (!module.main) return "no module";
   Diagnostics diagnostics;
   bool legal = Legalize(module, dialect, diagnostics);
   EXPECT_EQ(legal, !diagnostics.HasErrors());
