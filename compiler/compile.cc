@@ -70,6 +70,7 @@ class Dumper {
 
 Lowered::Lowered() : module(std::make_unique<ir::Module>()) {}
 Lowered::Lowered(Lowered&&) = default;
+Lowered& Lowered::operator=(Lowered&&) = default;
 Lowered::~Lowered() = default;
 
 std::optional<Lowered> Lower(SourceId source, graph::DocumentFormat format, const CompileOptions& options,
@@ -116,7 +117,9 @@ std::optional<Compiled> Compile(SourceId source, graph::DocumentFormat format, c
   print.as_function = options.emit == Emit::kFunction;
   print.name = compiled.name;
   print.version = TEXGRAPH_VERSION;
-  compiled.glsl = glsl::PrintGlsl(*lowered->module, print);
+  print.for_spirv = options.target == Target::kSpirv;
+  glsl::ShaderInterface interface;
+  compiled.glsl = glsl::PrintGlsl(*lowered->module, print, &interface);
   if (options.target == Target::kSpirv) {
     auto words = spirv::CompileSpirv(compiled.glsl, diagnostics);
     if (!words) return std::nullopt;
@@ -124,7 +127,7 @@ std::optional<Compiled> Compile(SourceId source, graph::DocumentFormat format, c
   }
   const std::string folder(FolderOf(sources.Name(source)));
   compiled.dependencies = Dependencies(*lowered, folder);
-  compiled.manifest = manifest::PrintManifest(*lowered->checked, *lowered->module, options, folder);
+  compiled.manifest = manifest::PrintManifest(*lowered->checked, *lowered->module, interface, options, folder);
   return compiled;
 }
 

@@ -56,6 +56,7 @@ struct Compiled {
 struct Lowered {
   Lowered();
   Lowered(Lowered&&);
+  Lowered& operator=(Lowered&&);
   ~Lowered();
   std::unique_ptr<ir::Module> module;
   std::unique_ptr<graph::Graph> graph;
