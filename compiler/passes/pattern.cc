@@ -15,7 +15,7 @@ namespace {
 using ir::Op;
 using ir::OpShape;
 
-constexpr double kTiny = 1e-20;
+constexpr float kTiny = 1e-20f;
 
 [[noreturn]] void Malformed(std::string_view text, const char* why) {
   std::fprintf(stderr, "texgraph: malformed pattern '%.*s': %s\n", static_cast<int>(text.size()),
@@ -34,14 +34,18 @@ constexpr TestName kTests[] = {
     {"integral", ValueTest::kIntegral}, {"float_integer", ValueTest::kFloatInteger},
 };
 
-const std::unordered_map<std::string_view, Op>& OpNames() {
+Op OpNamed(std::string_view name) {
   static const auto& names = *[] {
     auto* made = new std::unordered_map<std::string_view, Op>;
-    for (int i = 0; i < ir::kOpCount; ++i)
+    made->reserve(ir::kOpCount);
+    for (int i = 0; i < ir::kOpCount; ++i) {
       made->emplace(ir::Info(static_cast<Op>(i)).name, static_cast<Op>(i));
+    }
     return made;
   }();
-  return names;
+  auto found = names.find(name);
+  if (found == names.end()) Malformed(name, "unknown operation");
+  return found->second;
 }
 
 // Shapes whose operations are made from their operands' types and the type of the place alone.
@@ -60,9 +64,9 @@ bool IsAllowed(OpShape shape) {
 
 class Parser {
  public:
-  explicit Parser(std::string_view text) : text_(text) {}
+  Parser(std::string_view text, std::vector<PatternNode>& pool) : text_(text), pool_(pool) {}
 
-  Pattern Run() {
+  void Run() {
     size_t pending = 0;
     do {
       SkipSpaces();
@@ -74,15 +78,14 @@ class Parser {
         ++at_;
         pending -= Close() - 1;
       } else {
-        pattern_.nodes.push_back(Atom(Word()));
-        if (!open_.empty()) ++open_.back().operand_count;
+        pool_.push_back(Atom(Word()));
+        if (open_count_ > 0) ++open_[open_count_ - 1].operand_count;
         ++pending;
       }
       if (pending > kMaxPending) Malformed(text_, "too deep");
-    } while (!open_.empty());
+    } while (open_count_ > 0);
     SkipSpaces();
     if (at_ != text_.size()) Malformed(text_, "text after the end");
-    return std::move(pattern_);
   }
 
  private:
@@ -91,19 +94,20 @@ class Parser {
   }
 
   std::string_view Word() {
-    size_t end = std::min(text_.find_first_of(" ()", at_), text_.size());
-    std::string_view word = text_.substr(at_, end - at_);
-    at_ = end;
-    return word;
+    const size_t begin = at_;
+    while (at_ < text_.size() && text_[at_] != ' ' && text_[at_] != '(' && text_[at_] != ')') ++at_;
+    return text_.substr(begin, at_ - begin);
   }
 
   // Cuts what follows `mark` off the word.
   static std::string_view Suffix(std::string_view& word, char mark) {
-    size_t at = word.find(mark);
-    if (at == std::string_view::npos) return {};
-    std::string_view suffix = word.substr(at + 1);
-    word = word.substr(0, at);
-    return suffix;
+    for (size_t i = 1; i < word.size(); ++i) {
+      if (word[i] != mark) continue;
+      std::string_view suffix = word.substr(i + 1);
+      word = word.substr(0, i);
+      return suffix;
+    }
+    return {};
   }
 
   uint8_t ScalarNamed(std::string_view name) {
@@ -120,22 +124,21 @@ class Parser {
     PatternNode node;
     node.kind = PatternNode::Kind::kOp;
     node.scalar = ScalarNamed(Suffix(word, '.'));
-    auto found = OpNames().find(word);
-    if (found == OpNames().end()) Malformed(text_, "unknown operation");
-    node.op = found->second;
+    node.op = OpNamed(word);
     if (!IsAllowed(ir::Info(node.op).shape))
       Malformed(text_, "operation that patterns cannot make");
-    open_.push_back(node);
+    if (open_count_ == open_.size()) Malformed(text_, "too deep");
+    open_[open_count_++] = node;
   }
 
   size_t Close() {
-    if (open_.empty() || open_.back().operand_count == 0)
+    if (open_count_ == 0 || open_[open_count_ - 1].operand_count == 0) {
       Malformed(text_, "unbalanced parenthesis");
-    pattern_.nodes.push_back(open_.back());
-    size_t operands = open_.back().operand_count;
-    open_.pop_back();
-    if (!open_.empty()) ++open_.back().operand_count;
-    return operands;
+    }
+    const PatternNode node = open_[--open_count_];
+    pool_.push_back(node);
+    if (open_count_ > 0) ++open_[open_count_ - 1].operand_count;
+    return node.operand_count;
   }
 
   static std::optional<uint8_t> VariableNamed(std::string_view word) {
@@ -150,13 +153,16 @@ class Parser {
 
   PatternNode Atom(std::string_view word) {
     PatternNode node;
-    if (word == "true" || word == "false" || word == "ones" || word == "tiny") {
+    const bool is_named = word.size() > 3;
+    if (is_named && (word == "true" || word == "false" || word == "ones" || word == "tiny")) {
       node.literal = word == "true" ? 1 : word == "tiny" ? kTiny : 0;
       node.all_ones = word == "ones";
       return node;
     }
-    auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), node.literal);
-    if (error == std::errc() && end == word.data() + word.size()) return node;
+    if (!word.empty() && (word[0] == '-' || (word[0] >= '0' && word[0] <= '9'))) {
+      auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), node.literal);
+      if (error == std::errc() && end == word.data() + word.size()) return node;
+    }
     std::string_view test = Suffix(word, ':');
     node.scalar = ScalarNamed(Suffix(word, '.'));
     std::optional<uint8_t> variable = VariableNamed(word);
@@ -173,12 +179,26 @@ class Parser {
 
   std::string_view text_;
   size_t at_ = 0;
-  std::vector<PatternNode> open_;
-  Pattern pattern_;
+  std::array<PatternNode, 16> open_;
+  size_t open_count_ = 0;
+  std::vector<PatternNode>& pool_;
 };
 
 }  // namespace
 
-Pattern ParsePattern(std::string_view text) { return Parser(text).Run(); }
+std::vector<PatternNode> ParsePattern(std::string_view text) {
+  std::vector<PatternNode> nodes;
+  ParsePattern(text, nodes);
+  return nodes;
+}
+
+void ParsePattern(std::string_view text, std::vector<PatternNode>& pool) {
+  Parser(text, pool).Run();
+}
+
+Op RootOf(std::string_view text) {
+  if (!text.starts_with('(')) Malformed(text, "no operation");
+  return OpNamed(text.substr(1, text.find_first_of(" .)") - 1));
+}
 
 }  // namespace texgraph::passes

@@ -50,16 +50,17 @@ struct PatternNode {
   uint8_t scalar = kAnyScalar;  // ir::Scalar that the value must have, or that the operation makes
   ValueTest test = ValueTest::kAny;
   bool all_ones = false;  // of a literal
-  double literal = 0;
+  float literal = 0;
 };
 
 // Operands before operations, in order; the root is last.
-struct Pattern {
-  std::vector<PatternNode> nodes;
-  const PatternNode& root() const { return nodes.back(); }
-};
+using Pattern = std::span<const PatternNode>;
 
-Pattern ParsePattern(std::string_view text);
+std::vector<PatternNode> ParsePattern(std::string_view text);
+// Appends the nodes to `pool`.
+void ParsePattern(std::string_view text, std::vector<PatternNode>& pool);
+// The operation at the root of a pattern that is one, without parsing the rest.
+ir::Op RootOf(std::string_view text);
 
 // Indices of variables: a..f and x0..x3 begin at 0, d0..d3 at 4, r is 8.
 inline constexpr size_t kMaxVariables = 9;
@@ -70,13 +71,13 @@ struct Bindings {
 // Whether the operation that is about to be made is an instance of `pattern`. With `signed_zero`,
 // the literal 0 is +0 alone and -0 is -0 alone. `bindings` must be empty; its contents are
 // unspecified after a failure.
-bool Match(const Pattern& pattern, const ir::Builder& builder, ir::Op op, ir::TypeId type,
+bool Match(Pattern pattern, const ir::Builder& builder, ir::Op op, ir::TypeId type,
            std::span<const ir::ValueId> operands, bool signed_zero, Bindings& bindings);
 // Whether `value` is known to pass the test. Tests of values look a few operations deep.
 bool Passes(ValueTest test, const ir::Builder& builder, ir::ValueId value);
 
 // Makes the value that `pattern` stands for, of type `type`: a scalar is splat if that is a vector.
-ir::ValueId Instantiate(const Pattern& pattern, ir::Builder& builder, const Bindings& bindings,
+ir::ValueId Instantiate(Pattern pattern, ir::Builder& builder, const Bindings& bindings,
                         ir::TypeId type);
 
 // --- Derivatives ---------------------------------------------------------------------------------

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <array>
+#include <mutex>
 #include <optional>
 
 #include "compiler/passes/pattern.h"
@@ -29,9 +31,9 @@ class Maker {
       : builder_(builder), bindings_(bindings), type_(type), structural_zeros_(structural_zeros) {}
 
   // Invalid: zero.
-  ValueId Make(const Pattern& pattern) {
+  ValueId Make(Pattern pattern) {
     PatternStack<Item> items;
-    for (const PatternNode& node : pattern.nodes) {
+    for (const PatternNode& node : pattern) {
       if (node.kind == PatternNode::Kind::kVariable) {
         items.Push({bindings_.values[node.variable]});
       } else if (node.kind == PatternNode::Kind::kLiteral) {
@@ -148,44 +150,42 @@ class Maker {
   bool structural_zeros_;
 };
 
+// Parsed when it is first asked for.
 struct DerivativeRule {
+  std::once_flag once;
   DerivativeKind kind = DerivativeKind::kRule;
-  Pattern pattern;
+  std::vector<PatternNode> pattern;
 };
 
-const std::array<DerivativeRule, ir::kOpCount>& DerivativeRules() {
-  static const auto& rules = *[] {
-    auto* made = new std::array<DerivativeRule, ir::kOpCount>;
-    for (int i = 0; i < ir::kOpCount; ++i) {
-      std::string_view text = ir::Info(static_cast<Op>(i)).derivative;
-      DerivativeRule& rule = (*made)[i];
-      if (text == "0") {
-        rule.kind = DerivativeKind::kZero;
-      } else if (text == "code") {
-        rule.kind = DerivativeKind::kCode;
-      } else if (text == "none") {
-        rule.kind = DerivativeKind::kNone;
-      } else {
-        rule.pattern = ParsePattern(text);
-      }
+const DerivativeRule& RuleOf(Op op) {
+  static auto& rules = *new std::array<DerivativeRule, ir::kOpCount>;
+  DerivativeRule& rule = rules[static_cast<size_t>(op)];
+  std::call_once(rule.once, [&] {
+    const std::string_view text = ir::Info(op).derivative;
+    if (text == "0") {
+      rule.kind = DerivativeKind::kZero;
+    } else if (text == "code") {
+      rule.kind = DerivativeKind::kCode;
+    } else if (text == "none") {
+      rule.kind = DerivativeKind::kNone;
+    } else {
+      ParsePattern(text, rule.pattern);
     }
-    return made;
-  }();
-  return rules;
+  });
+  return rule;
 }
 
 }  // namespace
 
-ValueId Instantiate(const Pattern& pattern, Builder& builder, const Bindings& bindings,
-                    TypeId type) {
+ValueId Instantiate(Pattern pattern, Builder& builder, const Bindings& bindings, TypeId type) {
   return Maker(builder, bindings, type, false).Make(pattern);
 }
 
-DerivativeKind DerivativeOf(Op op) { return DerivativeRules()[static_cast<size_t>(op)].kind; }
+DerivativeKind DerivativeOf(Op op) { return RuleOf(op).kind; }
 
 std::optional<ValueId> InstantiateDerivative(Op op, Builder& builder, std::span<const ValueId> x,
                                              std::span<const ValueId> d, ValueId r) {
-  const DerivativeRule& rule = DerivativeRules()[static_cast<size_t>(op)];
+  const DerivativeRule& rule = RuleOf(op);
   if (rule.kind != DerivativeKind::kRule) return std::nullopt;
   Bindings bindings;
   for (size_t i = 0; i < x.size(); ++i) bindings.values[i] = x[i];

@@ -47,7 +47,7 @@ bool WordPasses(ValueTest test, TypeId type, uint32_t word) {
 
 bool LiteralIs(const PatternNode& node, TypeId type, uint32_t word, bool signed_zero) {
   if (ir::IsFloat(type)) {
-    float literal = static_cast<float>(node.literal);
+    const float literal = node.literal;
     if (node.all_ones) return false;
     if (signed_zero) return word == std::bit_cast<uint32_t>(literal);
     return std::bit_cast<float>(word) == literal;
@@ -99,16 +99,16 @@ bool Passes(ValueTest test, const Builder& builder, ValueId value) {
   return true;
 }
 
-bool Match(const Pattern& pattern, const Builder& builder, Op op, TypeId type,
+bool Match(Pattern pattern, const Builder& builder, Op op, TypeId type,
            std::span<const ValueId> operands, bool signed_zero, Bindings& bindings) {
-  const PatternNode& root = pattern.root();
+  const PatternNode& root = pattern.back();
   if (root.op != op || root.operand_count != operands.size() || !HasScalar(type, root.scalar))
     return false;
   PatternStack<ValueId> pending;
   for (ValueId operand : operands) pending.Push(operand);
   // From the root down: the last operand comes first, above as here.
-  for (size_t i = pattern.nodes.size() - 1; i-- > 0;) {
-    const PatternNode& node = pattern.nodes[i];
+  for (size_t i = pattern.size() - 1; i-- > 0;) {
+    const PatternNode& node = pattern[i];
     ValueId value = pending.Pop();
     const ir::Inst& inst = builder[value];
     switch (node.kind) {

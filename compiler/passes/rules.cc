@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
-#include <deque>
+#include <iterator>
+#include <mutex>
+#include <utility>
 
 namespace texgraph::passes {
 namespace {
@@ -58,7 +60,7 @@ bool IsCommutative(Op op) {
 }
 
 // The first node of the subtree whose last is `root`.
-size_t FirstNode(const std::vector<PatternNode>& nodes, size_t root) {
+size_t FirstNode(Pattern nodes, size_t root) {
   size_t wanted = 1, at = root + 1;
   while (wanted > 0) {
     --at;
@@ -68,48 +70,51 @@ size_t FirstNode(const std::vector<PatternNode>& nodes, size_t root) {
   return at;
 }
 
-Pattern Commuted(const Pattern& pattern, size_t at) {
-  Pattern swapped = pattern;
-  auto begin = swapped.nodes.begin();
-  size_t second = FirstNode(pattern.nodes, at - 1);
-  size_t first = FirstNode(pattern.nodes, second - 1);
-  std::rotate(begin + first, begin + second, begin + at);
+using Nodes = std::vector<PatternNode>;
+
+Nodes Commuted(const Nodes& nodes, size_t at) {
+  Nodes swapped = nodes;
+  const size_t second = FirstNode(nodes, at - 1), first = FirstNode(nodes, second - 1);
+  auto begin = swapped.begin();
+  std::rotate(begin + static_cast<ptrdiff_t>(first), begin + static_cast<ptrdiff_t>(second),
+              begin + static_cast<ptrdiff_t>(at));
   return swapped;
 }
 
 // Whether two patterns match the same operations: equal but for the names of variables.
-bool SameShape(const Pattern& a, const Pattern& b) {
-  std::array<int, kMaxVariables> a_names, b_names;
-  a_names.fill(-1);
-  b_names.fill(-1);
-  for (size_t i = 0; i < a.nodes.size(); ++i) {
-    const PatternNode &p = a.nodes[i], &q = b.nodes[i];
-    if (p.kind != q.kind || p.op != q.op || p.scalar != q.scalar || p.test != q.test ||
-        p.all_ones != q.all_ones || p.literal != q.literal) {
+bool SameShape(const Nodes& a, const Nodes& b) {
+  std::array<uint8_t, kMaxVariables> a_names{}, b_names{};
+  for (size_t i = 0; i < a.size(); ++i) {
+    const PatternNode &p = a[i], &q = b[i];
+    if (p.kind != q.kind || p.op != q.op || p.operand_count != q.operand_count ||
+        p.scalar != q.scalar || p.test != q.test || p.all_ones != q.all_ones ||
+        p.literal != q.literal) {
       return false;
     }
     if (p.kind != PatternNode::Kind::kVariable) continue;
-    int &p_name = a_names[p.variable], &q_name = b_names[q.variable];
+    uint8_t &p_name = a_names[p.variable], &q_name = b_names[q.variable];
     if (p_name != q_name) return false;
-    if (p_name < 0) p_name = q_name = static_cast<int>(i);
+    if (p_name == 0) p_name = q_name = static_cast<uint8_t>(i + 1);
   }
   return true;
 }
 
-std::vector<Pattern> OperandOrders(const Pattern& pattern) {
-  std::vector<Pattern> orders{pattern};
-  for (size_t at = 0; at < pattern.nodes.size(); ++at) {
-    if (pattern.nodes[at].kind != PatternNode::Kind::kOp || !IsCommutative(pattern.nodes[at].op))
-      continue;
+// The pattern with the operands of its commutative operations in every order but the one it has.
+std::vector<Nodes> OtherOrders(Pattern pattern) {
+  std::vector<Nodes> orders;
+  for (size_t at = 0; at < pattern.size(); ++at) {
+    if (pattern[at].kind != PatternNode::Kind::kOp || !IsCommutative(pattern[at].op)) continue;
+    if (orders.empty()) orders.emplace_back(pattern.begin(), pattern.end());
     // Swapping the operands of a node moves nodes before it only, so `at` names it in every order;
     // nodes inside of it are done already.
     for (size_t i = 0, count = orders.size(); i < count; ++i) {
-      Pattern swapped = Commuted(orders[i], at);
+      Nodes swapped = Commuted(orders[i], at);
       bool known =
-          std::ranges::any_of(orders, [&](const Pattern& p) { return SameShape(p, swapped); });
+          std::ranges::any_of(orders, [&](const Nodes& p) { return SameShape(p, swapped); });
       if (!known) orders.push_back(std::move(swapped));
     }
   }
+  if (!orders.empty()) orders.erase(orders.begin());
   return orders;
 }
 
@@ -135,70 +140,107 @@ bool IsConstant(const PatternNode& node) {
   }
 }
 
-Shape ShapeOf(const Pattern& pattern) {
+Shape ShapeOf(Pattern pattern) {
   Shape shape;
-  size_t at = pattern.nodes.size() - 1;
-  for (uint32_t i = pattern.root().operand_count; i-- > 0;) {
-    const PatternNode& operand = pattern.nodes[--at];
+  size_t at = pattern.size() - 1;
+  for (uint32_t i = pattern.back().operand_count; i-- > 0;) {
+    const PatternNode& operand = pattern[--at];
     bool is_op = operand.kind == PatternNode::Kind::kOp;
     if (is_op || IsConstant(operand)) {
       shape.wanted |= static_cast<uint32_t>(is_op ? operand.op : Op::kConst) << (8 * i);
       shape.mask |= 0xffu << (8 * i);
     }
-    at = FirstNode(pattern.nodes, at);
+    at = FirstNode(pattern, at);
   }
   return shape;
 }
 
-struct Index {
-  std::deque<Pattern> replacements;
-  std::vector<RuleVariant> variants;  // by operation, then in the order of the tables
-  std::vector<Shape> shapes;
-  std::array<uint32_t, ir::kOpCount + 1> first{};
+// The rules of one operation, parsed when it is first made: most graphs use few operations.
+class OpRules {
+ public:
+  static const OpRules& Of(Op op) {
+    static auto& all = *new std::array<OpRules, ir::kOpCount>;
+    OpRules& rules = all[static_cast<size_t>(op)];
+    std::call_once(rules.once_, [&] { rules.Parse(op); });
+    return rules;
+  }
 
-  Index() {
-    for (const Rule& rule : kRules) {
-      replacements.push_back(ParsePattern(rule.replacement));
-      for (Pattern& order : OperandOrders(ParsePattern(rule.pattern))) {
-        variants.push_back({&rule, std::move(order), &replacements.back()});
+  const std::vector<RuleVariant>& variants() const { return variants_; }
+  const std::vector<Shape>& shapes() const { return shapes_; }
+
+ private:
+  void Parse(Op op) {
+    static const auto& roots = *[] {
+      auto* made = new std::array<Op, std::size(kRules)>;
+      for (size_t i = 0; i < std::size(kRules); ++i) (*made)[i] = RootOf(kRules[i].pattern);
+      return made;
+    }();
+    // The pool moves while it grows: ends of patterns first, then the patterns.
+    std::vector<size_t> ends;
+    std::vector<std::pair<const Rule*, bool>> what;  // the rule, and whether it is its replacement
+    for (size_t i = 0; i < std::size(kRules); ++i) {
+      if (roots[i] != op) continue;
+      ParsePattern(kRules[i].replacement, pool_);
+      ends.push_back(pool_.size());
+      what.emplace_back(&kRules[i], true);
+      const size_t first = pool_.size();
+      ParsePattern(kRules[i].pattern, pool_);
+      ends.push_back(pool_.size());
+      what.emplace_back(&kRules[i], false);
+      for (const Nodes& order : OtherOrders(Pattern(pool_).subspan(first))) {
+        pool_.insert(pool_.end(), order.begin(), order.end());
+        ends.push_back(pool_.size());
+        what.emplace_back(&kRules[i], false);
       }
     }
-    auto op_of = [](const RuleVariant& v) { return static_cast<size_t>(v.pattern.root().op); };
-    std::ranges::stable_sort(variants, {}, op_of);
-    for (const RuleVariant& variant : variants) {
-      ++first[op_of(variant) + 1];
-      shapes.push_back(ShapeOf(variant.pattern));
+    Pattern replacement;
+    size_t begin = 0;
+    for (size_t i = 0; i < ends.size(); ++i) {
+      const Pattern pattern(pool_.data() + begin, ends[i] - begin);
+      begin = ends[i];
+      if (what[i].second) {
+        replacement = pattern;
+        continue;
+      }
+      variants_.push_back({what[i].first, pattern, replacement});
+      shapes_.push_back(ShapeOf(pattern));
     }
-    for (int i = 0; i < ir::kOpCount; ++i) first[i + 1] += first[i];
   }
-};
 
-const Index& TheIndex() {
-  static const Index& index = *new Index;
-  return index;
-}
+  std::once_flag once_;
+  std::vector<PatternNode> pool_;
+  std::vector<RuleVariant> variants_;  // in the order of the tables
+  std::vector<Shape> shapes_;
+};
 
 }  // namespace
 
 std::span<const Rule> AllRules() { return kRules; }
 
-std::span<const RuleVariant> AllVariants() { return TheIndex().variants; }
+std::vector<const RuleVariant*> AllVariants() {
+  std::vector<const RuleVariant*> all;
+  for (int op = 0; op < ir::kOpCount; ++op) {
+    for (const RuleVariant& variant : OpRules::Of(static_cast<Op>(op)).variants()) {
+      all.push_back(&variant);
+    }
+  }
+  return all;
+}
 
 const RuleVariant* FirstMatch(const Builder& builder, Op op, TypeId type,
                               std::span<const ValueId> operands, RuleFlags allowed,
                               Bindings& bindings) {
-  const Index& index = TheIndex();
-  uint32_t i = index.first[static_cast<size_t>(op)];
-  const uint32_t end = index.first[static_cast<size_t>(op) + 1];
-  if (i == end || operands.size() > kMaxOperands) return nullptr;
+  const OpRules& rules = OpRules::Of(op);
+  if (rules.variants().empty() || operands.size() > kMaxOperands) return nullptr;
   uint32_t actual = 0;
   for (size_t k = 0; k < operands.size(); ++k) {
     actual |= static_cast<uint32_t>(builder[operands[k]].op) << (8 * k);
   }
   const TypeId subject = builder.TypeOf(operands[op == Op::kSelect ? 1 : 0]);
-  for (; i < end; ++i) {
-    if (((actual ^ index.shapes[i].wanted) & index.shapes[i].mask) != 0) continue;
-    const RuleVariant& variant = index.variants[i];
+  for (size_t i = 0; i < rules.shapes().size(); ++i) {
+    const Shape& shape = rules.shapes()[i];
+    if (((actual ^ shape.wanted) & shape.mask) != 0) continue;
+    const RuleVariant& variant = rules.variants()[i];
     const Rule& rule = *variant.rule;
     if ((rule.flags & ~allowed) != 0 || !Fits(rule.types, subject)) continue;
     bindings = {};
@@ -245,7 +287,7 @@ ValueId SimplifyRules::Apply(Builder& builder, Op op, TypeId type,
   ValueId simpler;
   Bindings bindings;
   if (const RuleVariant* found = FirstMatch(builder, op, type, operands, allowed_, bindings)) {
-    simpler = Instantiate(*found->replacement, builder, bindings, type);
+    simpler = Instantiate(found->replacement, builder, bindings, type);
   }
   for (std::span<const CodeRule> rules : {StructureRules(), RangeRules()}) {
     for (const CodeRule& rule : rules) {

@@ -55,10 +55,10 @@ bool Fits(RuleTypes types, ir::TypeId type);
 struct RuleVariant {
   const Rule* rule;
   Pattern pattern;
-  const Pattern* replacement;
+  Pattern replacement;
 };
-std::span<const RuleVariant> AllVariants();
-// The first of them that applies to the operation that is about to be made; null if none does.
+std::vector<const RuleVariant*> AllVariants();
+// The first one that applies to the operation that is about to be made; null if none does.
 const RuleVariant* FirstMatch(const ir::Builder& builder, ir::Op op, ir::TypeId type,
                               std::span<const ir::ValueId> operands, RuleFlags allowed,
                               Bindings& bindings);

@@ -82,13 +82,13 @@ std::optional<TypeId> ResultType(Op op, const std::vector<TypeId>& x, TypeId cho
 // Walks a pattern bottom up with types in place of values; with a builder, makes the values too.
 class Walk {
  public:
-  Walk(const Pattern& pattern, const Typing& typing, const Bindings* bindings, Builder* builder)
+  Walk(Pattern pattern, const Typing& typing, const Bindings* bindings, Builder* builder)
       : pattern_(pattern), typing_(typing), bindings_(bindings), builder_(builder) {}
 
   // The operands of the root, and its type; nothing if the types don't fit.
   std::optional<TypeId> Run() {
-    for (size_t i = 0; i < pattern_.nodes.size(); ++i) {
-      const PatternNode& node = pattern_.nodes[i];
+    for (size_t i = 0; i < pattern_.size(); ++i) {
+      const PatternNode& node = pattern_[i];
       if (node.kind == Kind::kVariable) {
         ValueId value = bindings_ ? bindings_->values[node.variable] : ValueId();
         items_.push_back({typing_.variables[node.variable], value, nullptr});
@@ -112,7 +112,7 @@ class Walk {
   };
 
   bool Operation(size_t index) {
-    const PatternNode& node = pattern_.nodes[index];
+    const PatternNode& node = pattern_[index];
     std::vector<Item> x(items_.end() - node.operand_count, items_.end());
     items_.resize(items_.size() - node.operand_count);
     const TypeId choice = typing_.nodes[index];
@@ -137,7 +137,7 @@ class Walk {
     if (builder_) {
       std::vector<ValueId> operands;
       for (Item& item : x) operands.push_back(item.value ? item.value : Literal(item));
-      if (index + 1 == pattern_.nodes.size()) {
+      if (index + 1 == pattern_.size()) {
         operands_of_root = operands;
         root_type = *result;
       } else {
@@ -152,15 +152,15 @@ class Walk {
     return builder_->Splat(item.type, item.literal->all_ones ? -1 : item.literal->literal);
   }
 
-  const Pattern& pattern_;
+  Pattern pattern_;
   const Typing& typing_;
   const Bindings* bindings_;
   Builder* builder_;
   std::vector<Item> items_;
 };
 
-bool HasMatrices(const Pattern& pattern) {
-  for (const PatternNode& node : pattern.nodes) {
+bool HasMatrices(Pattern pattern) {
+  for (const PatternNode& node : pattern) {
     if (node.kind == Kind::kOp && (node.op == Op::kMatMul || node.op == Op::kTranspose))
       return true;
   }
@@ -178,14 +178,14 @@ std::vector<TypeId> Choices(const PatternNode& node, const std::vector<TypeId>& 
   return fitting;
 }
 
-bool NeedsChoice(const Pattern& pattern, size_t index) {
-  const PatternNode& node = pattern.nodes[index];
+bool NeedsChoice(Pattern pattern, size_t index) {
+  const PatternNode& node = pattern[index];
   if (node.kind != Kind::kOp) return false;
   if (node.op == Op::kConvert || node.op == Op::kBitcast || node.op == Op::kSplat) return true;
   // A select between two literals, or anything on literals alone.
   bool literals = node.operand_count > 0;
   for (size_t i = node.op == Op::kSelect ? 2 : node.operand_count, at = index; i-- > 0;) {
-    literals = literals && pattern.nodes[--at].kind == Kind::kLiteral;
+    literals = literals && pattern[--at].kind == Kind::kLiteral;
     if (!literals) break;
   }
   return literals;
@@ -193,7 +193,7 @@ bool NeedsChoice(const Pattern& pattern, size_t index) {
 
 }  // namespace
 
-std::vector<Typing> TypingsOf(const Pattern& pattern) {
+std::vector<Typing> TypingsOf(Pattern pattern) {
   std::vector<TypeId> all = {ir::kBool,  ir::kInt,   ir::kUint,  ir::kFloat,
                              ir::kBvec3, ir::kIvec3, ir::kUvec3, ir::kVec3};
   if (HasMatrices(pattern)) all = {ir::kVec2, ir::kMat2};
@@ -201,8 +201,8 @@ std::vector<Typing> TypingsOf(const Pattern& pattern) {
   std::vector<std::vector<TypeId>> domains;
   std::vector<int> places;
   std::array<bool, kMaxVariables> seen{};
-  for (size_t i = 0; i < pattern.nodes.size(); ++i) {
-    const PatternNode& node = pattern.nodes[i];
+  for (size_t i = 0; i < pattern.size(); ++i) {
+    const PatternNode& node = pattern[i];
     if (node.kind == Kind::kVariable && !seen[node.variable]) {
       seen[node.variable] = true;
       places.push_back(node.variable);
@@ -216,7 +216,7 @@ std::vector<Typing> TypingsOf(const Pattern& pattern) {
   std::vector<size_t> digits(places.size(), 0);
   while (true) {
     Typing typing;
-    typing.nodes.resize(pattern.nodes.size());
+    typing.nodes.resize(pattern.size());
     for (size_t i = 0; i < places.size(); ++i) {
       size_t place = static_cast<size_t>(places[i]);
       (place < kMaxVariables ? typing.variables[place] : typing.nodes[place - kMaxVariables]) =
@@ -232,16 +232,15 @@ std::vector<Typing> TypingsOf(const Pattern& pattern) {
   }
 }
 
-std::vector<ValueId> BuildOperands(const Pattern& pattern, const Typing& typing,
-                                   const Bindings& bindings, Builder& builder) {
+std::vector<ValueId> BuildOperands(Pattern pattern, const Typing& typing, const Bindings& bindings,
+                                   Builder& builder) {
   Walk walk(pattern, typing, &bindings, &builder);
   walk.Run();
   return walk.operands_of_root;
 }
 
-ValueId Build(const Pattern& pattern, const Typing& typing, const Bindings& bindings,
-              Builder& builder) {
-  return builder.Emit(pattern.root().op, typing.root,
+ValueId Build(Pattern pattern, const Typing& typing, const Bindings& bindings, Builder& builder) {
+  return builder.Emit(pattern.back().op, typing.root,
                       BuildOperands(pattern, typing, bindings, builder));
 }
 
@@ -280,10 +279,10 @@ uint32_t ModerateWord(TypeId scalar, std::mt19937& random) {
   return std::bit_cast<uint32_t>(random() % 2 ? value : -value);
 }
 
-Bindings MakeVariables(const Pattern& pattern, const Typing& typing, Builder& builder,
+Bindings MakeVariables(Pattern pattern, const Typing& typing, Builder& builder,
                        std::mt19937& random) {
   Bindings bindings;
-  for (const PatternNode& node : pattern.nodes) {
+  for (const PatternNode& node : pattern) {
     if (node.kind != Kind::kVariable || bindings.values[node.variable]) continue;
     const TypeId type = typing.variables[node.variable];
     ValueId value =

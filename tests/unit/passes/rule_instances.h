@@ -23,13 +23,13 @@ struct Typing {
 };
 
 // Every well-typed choice of scalars and of vectors of three; mat2 and vec2 where it has matrices.
-std::vector<Typing> TypingsOf(const Pattern& pattern);
+std::vector<Typing> TypingsOf(Pattern pattern);
 
 // Builds the pattern literally: one Emit for each node, children first.
-ir::ValueId Build(const Pattern& pattern, const Typing& typing, const Bindings& bindings,
+ir::ValueId Build(Pattern pattern, const Typing& typing, const Bindings& bindings,
                   ir::Builder& builder);
 // All of it but the root: the root's operands.
-std::vector<ir::ValueId> BuildOperands(const Pattern& pattern, const Typing& typing,
+std::vector<ir::ValueId> BuildOperands(Pattern pattern, const Typing& typing,
                                        const Bindings& bindings, ir::Builder& builder);
 
 // Words that find mistakes: zeros, ones, ends of ranges, infinities, NaN, and random ones. Moderate
@@ -39,7 +39,7 @@ uint32_t ModerateWord(ir::TypeId scalar, std::mt19937& random);
 
 // Values for the variables of a pattern: parameters, or what makes a variable pass its test.
 // Constants come from `random`.
-Bindings MakeVariables(const Pattern& pattern, const Typing& typing, ir::Builder& builder,
+Bindings MakeVariables(Pattern pattern, const Typing& typing, ir::Builder& builder,
                        std::mt19937& random);
 
 // The words of every value of a function of one region without calls, by ValueId, for `lanes`
