@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <bit>
-#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -54,17 +53,18 @@ std::string ConstantJson(const ir::Module& module, ir::ConstId id) {
   return items.size() == 1 ? items[0] : JsonList(items);
 }
 
+using Entry = glsl::ShaderInterface::Entry;
+
 class Printer {
  public:
-  Printer(const graph::CheckedGraph& graph, const ir::Module& module, const CompileOptions& options,
+  Printer(const graph::CheckedGraph& graph, const ir::Module& module,
+          const glsl::ShaderInterface& shader, const CompileOptions& options,
           const std::string& graph_folder)
       : graph_(graph),
         module_(module),
+        shader_(shader),
         options_(options),
-        graph_folder_(graph_folder),
-        used_(UsedGlobals(module)),
-        // Only a whole shader of the newer dialect numbers its inputs, uniforms and textures.
-        numbered_(options.emit == Emit::kShader && options.target != Target::kGlsl330) {}
+        graph_folder_(graph_folder) {}
 
   std::string Print() {
     json_.OpenObject();
@@ -90,37 +90,32 @@ class Printer {
     return name + graph_.graph->name + std::string(ShaderExtension(options_.target, options_.emit));
   }
 
-  // The used global of that kind and name, and how many used ones of the kind come before it.
-  struct Found {
-    const ir::Global* global;
-    size_t number;
-  };
-  std::optional<Found> Find(ir::GlobalKind kind, std::string_view name) const {
-    size_t number = 0;
-    for (size_t i = 0; i < module_.globals.size(); ++i) {
-      const ir::Global& global = module_.globals[i];
-      if (global.kind != kind || !used_[i]) continue;
-      if (global.name == name) return Found{&global, number};
-      ++number;
+  // What the shader declares for the graph's thing of that name; null if nothing.
+  const Entry* Find(const std::vector<Entry>& entries, std::string_view name) const {
+    for (const Entry& entry : entries) {
+      if (module_.globals[entry.global.index].name == name) return &entry;
     }
-    return std::nullopt;
+    return nullptr;
   }
 
-  void PrintNumber(std::string_view key, size_t number) {
-    if (numbered_) json_.Integer(key, static_cast<long long>(number));
+  void PrintNumber(std::string_view key, uint32_t number) {
+    if (number != glsl::ShaderInterface::kNone) json_.Integer(key, number);
   }
 
   void PrintInputs() {
     json_.OpenList("inputs");
     for (const BuiltinInput& input : kBuiltinInputs) {
-      std::optional<Found> varying = Find(ir::GlobalKind::kInput, input.name);
-      std::optional<Found> uniform = Find(ir::GlobalKind::kUniform, input.name);
-      if (!varying && !uniform) continue;
+      const Entry* varying = Find(shader_.inputs, input.name);
+      const Entry* entry = varying != nullptr ? varying : Find(shader_.uniforms, input.name);
+      if (entry == nullptr) continue;
       json_.OpenObject();
       json_.String("name", input.name);
       json_.String("type", input.type);
-      json_.String("binding", varying ? "input" : "uniform");
-      PrintNumber("location", (varying ? varying : uniform)->number);
+      json_.String("binding", varying != nullptr ? "input" : "uniform");
+      // The inputs of a function are its parameters, in this order.
+      if (varying == nullptr || options_.emit == Emit::kShader)
+        json_.String("variable", entry->name);
+      PrintNumber("location", entry->location);
       json_.CloseObject();
     }
     json_.CloseList();
@@ -130,13 +125,12 @@ class Printer {
     json_.OpenList("outputs");
     const std::vector<ir::Result>& results = module_[module_.main].results;
     for (size_t i = 0; i < results.size(); ++i) {
+      const glsl::ShaderInterface::Output& output = shader_.outputs[i];
       json_.OpenObject();
       json_.String("name", results[i].name);
-      json_.String("type", module_.types.Text(results[i].type));
-      if (options_.emit == Emit::kShader) {
-        json_.String("variable", "out_" + results[i].name);
-        json_.Integer("location", static_cast<long long>(i));
-      }
+      json_.String("type", module_.types.Text(output.type));
+      if (!output.name.empty()) json_.String("variable", output.name);
+      if (options_.emit == Emit::kShader) PrintNumber("location", output.location);
       json_.CloseObject();
     }
     json_.CloseList();
@@ -171,25 +165,27 @@ class Printer {
   }
 
   void PrintBinding(const graph::Parameter& parameter, bool needed) {
-    std::optional<Found> found;
+    const Entry* entry = nullptr;
     switch (parameter.binding) {
       case graph::Binding::kConstant:
         json_.String("binding", "constant");
         json_.String("status", needed ? "folded" : "unused");
         return;
       case graph::Binding::kUniform:
-        found = Find(ir::GlobalKind::kUniform, parameter.name);
+        entry = Find(shader_.uniforms, parameter.name);
         json_.String("binding", "uniform");
-        json_.String("status", found ? "uniform" : "unused");
-        if (found) PrintNumber("location", found->number);
-        return;
+        json_.String("status", entry != nullptr ? "uniform" : "unused");
+        break;
       case graph::Binding::kSpecialization:
-        found = Find(ir::GlobalKind::kSpecialization, parameter.name);
+        entry = Find(shader_.specializations, parameter.name);
         json_.String("binding", "specialization");
-        json_.String("status", found ? "specialization" : "unused");
-        if (found) PrintNumber("constant_id", found->number);
-        return;
+        json_.String("status", entry != nullptr ? "specialization" : "unused");
+        break;
     }
+    if (entry == nullptr) return;
+    json_.String("variable", entry->name);
+    PrintNumber("location", entry->location);
+    PrintNumber("constant_id", entry->constant_id);
   }
 
   void PrintTextures() {
@@ -204,14 +200,15 @@ class Printer {
 
   // `sampled`: the texture whose sampler it shares, perhaps itself.
   void PrintTexture(const graph::Texture& texture, const graph::Texture& sampled) {
-    std::optional<Found> found = Find(ir::GlobalKind::kTexture, sampled.name);
+    const Entry* entry = Find(shader_.textures, sampled.name);
     json_.OpenObject();
     json_.String("name", texture.name);
     json_.String("type", texture.is_array ? "sampler2DArray" : "sampler2D");
-    json_.String("status", found ? "used" : "unused");
-    if (found) {
-      json_.String("variable", sampled.name);
-      PrintNumber("binding", found->number);
+    json_.String("status", entry != nullptr ? "used" : "unused");
+    if (entry != nullptr) {
+      json_.String("variable", entry->name);
+      PrintNumber("location", entry->location);
+      PrintNumber("binding", entry->binding);
     }
     std::vector<std::string> files;
     for (std::string_view file : texture.files) {
@@ -244,18 +241,18 @@ class Printer {
 
   const graph::CheckedGraph& graph_;
   const ir::Module& module_;
+  const glsl::ShaderInterface& shader_;
   const CompileOptions& options_;
   const std::string& graph_folder_;
-  std::vector<bool> used_;
-  bool numbered_;
   JsonWriter json_;
 };
 
 }  // namespace
 
 std::string PrintManifest(const graph::CheckedGraph& graph, const ir::Module& module,
-                          const CompileOptions& options, const std::string& graph_folder) {
-  return Printer(graph, module, options, graph_folder).Print();
+                          const glsl::ShaderInterface& shader, const CompileOptions& options,
+                          const std::string& graph_folder) {
+  return Printer(graph, module, shader, options, graph_folder).Print();
 }
 
 }  // namespace texgraph::manifest

@@ -8,14 +8,16 @@
 #include <string>
 
 #include "compiler/compile.h"
+#include "compiler/glsl/print_glsl.h"
 #include "compiler/graph/checked_graph.h"
 #include "compiler/ir/module.h"
 
 namespace texgraph::manifest {
 
-// `module` is the one that is printed as the shader. The graph's file names are relative to
-// `graph_folder`.
+// `module` is the one that was printed as the shader, which declares `shader`. The graph's file
+// names are relative to `graph_folder`.
 std::string PrintManifest(const graph::CheckedGraph& graph, const ir::Module& module,
-                          const CompileOptions& options, const std::string& graph_folder);
+                          const glsl::ShaderInterface& shader, const CompileOptions& options,
+                          const std::string& graph_folder);
 
 }  // namespace texgraph::manifest

@@ -1,41 +1,37 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compiler/manifest/usage.h"
 
+#include <algorithm>
+#include <optional>
 #include <utility>
 #include <variant>
 
-#include "compiler/ir/rebuild.h"
+#include "compiler/graph/scope.h"
 
 namespace texgraph::manifest {
 
-std::vector<bool> UsedGlobals(const ir::Module& module) {
-  std::vector<bool> globals(module.globals.size()), reached(module.functions.size());
-  std::vector<ir::FunctionId> work{module.main};
-  reached[module.main.index] = true;
-  while (!work.empty()) {
-    const ir::Function& function = module[work.back()];
-    work.pop_back();
-    ir::Liveness live(module, function);
-    for (size_t i = 0; i < function.insts.size(); ++i) {
-      const ir::Inst& inst = function.insts[i];
-      if (!live.Live(ir::ValueId(i))) continue;
-      if (inst.op == ir::Op::kGlobal) globals[inst.aux] = true;
-      bool calls = inst.op == ir::Op::kCall || inst.op == ir::Op::kFieldRef;
-      if (!calls || reached[inst.aux]) continue;
-      reached[inst.aux] = true;
-      work.push_back(ir::FunctionId(inst.aux));
-    }
-  }
-  return globals;
-}
-
 namespace {
 
-// Walks the connections backwards, one subgraph at a time.
+// A word of the port's enumeration goes before anything of that name.
+bool IsWordOfPort(const graph::CheckedNode& node, const graph::Input& input) {
+  if (node.overload == nullptr) return false;
+  for (const blocks::Port& port : node.overload->inputs) {
+    if (port.name != input.port) continue;
+    return std::ranges::any_of(port.words,
+                               [&](const auto& word) { return word.word == input.argument.text; });
+  }
+  return false;
+}
+
+// Walks the connections backwards, one subgraph at a time. Constants left no trace in the ports, so
+// the names in the graph say where a parameter went.
 class Walk {
  public:
   explicit Walk(const graph::CheckedGraph& graph)
-      : graph_(graph), parameters_(graph.parameters.size()), functions_(graph.functions.size()) {}
+      : graph_(graph),
+        globals_(graph::GlobalSymbols(*graph.graph)),
+        parameters_(graph.parameters.size()),
+        functions_(graph.functions.size()) {}
 
   std::vector<bool> Run() {
     Visit(graph_.main);
@@ -48,29 +44,38 @@ class Walk {
 
  private:
   void Visit(const graph::CheckedSubgraph& subgraph) {
+    graph::Scope scope(globals_, *subgraph.subgraph);
     nodes_.assign(subgraph.nodes.size(), false);
-    for (const graph::CheckedOutput& output : subgraph.outputs) Mark(output.value);
+    for (const graph::CheckedOutput& output : subgraph.outputs) MarkSource(output.value);
+    for (const graph::Output& output : subgraph.subgraph->outputs) MarkName(scope, output.argument);
     for (size_t n = nodes_.size(); n-- > 0;) {
       const graph::CheckedNode& node = subgraph.nodes[n];
       if (!nodes_[n]) continue;
       if (node.block == nullptr) functions_[node.function] = true;
-      for (const graph::BoundPort& port : node.inputs) Mark(port);
+      for (const graph::BoundPort& port : node.inputs) MarkSource(port);
+      for (const graph::Input& input : node.node->inputs) {
+        if (!IsWordOfPort(node, input)) MarkName(scope, input.argument);
+      }
     }
   }
 
-  void Mark(const graph::BoundPort& port) {
+  void MarkSource(const graph::BoundPort& port) {
     if (auto* output = std::get_if<graph::NodeOutput>(&port.source)) nodes_[output->node] = true;
     if (auto* field = std::get_if<graph::FieldOfNode>(&port.source))
       nodes_[field->source.node] = true;
-    if (auto* parameter = std::get_if<graph::ParameterRef>(&port.source))
-      parameters_[parameter->parameter] = true;
-    if (auto* field = std::get_if<graph::FieldOfParameter>(&port.source))
-      parameters_[field->parameter] = true;
     if (auto* field = std::get_if<graph::FieldOfFunction>(&port.source))
       functions_[field->function] = true;
   }
 
+  void MarkName(const graph::Scope& scope, const graph::Argument& argument) {
+    if (argument.kind != graph::Argument::Kind::kString) return;
+    std::optional<graph::Symbol> symbol = scope.Find(graph::SplitReference(argument.text).name);
+    if (symbol && symbol->kind == graph::Symbol::Kind::kParameter)
+      parameters_[symbol->index] = true;
+  }
+
   const graph::CheckedGraph& graph_;
+  const graph::SymbolTable globals_;
   std::vector<bool> parameters_;
   std::vector<bool> functions_;
   std::vector<bool> nodes_;  // of the subgraph that is visited
