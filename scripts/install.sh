@@ -6,7 +6,7 @@ set -euo pipefail
 
 packages=(
   # tools
-  cmake g++ make ninja-build pkg-config
+  cmake g++ ninja-build
   # the compiler and its command line
   glslang-dev libcli11-dev libfmt-dev libfyaml-dev spirv-tools
   # the renderer
