@@ -26,16 +26,16 @@ constexpr size_t kPrintedBytes = 8192;
 
 using Work = std::function<void(const std::function<void()>& notify)>;
 
-struct Job {
+struct ChildTask {
   const Work* work;
   int notifications;
 };
 
-void* RunJob(void* argument) {
-  const Job& job = *static_cast<Job*>(argument);
-  (*job.work)([&job] {
+void* RunTask(void* argument) {
+  const ChildTask& task = *static_cast<ChildTask*>(argument);
+  (*task.work)([&task] {
     const char byte = 1;
-    while (write(job.notifications, &byte, 1) < 0 && errno == EINTR) {
+    while (write(task.notifications, &byte, 1) < 0 && errno == EINTR) {
     }
   });
   return nullptr;
@@ -74,15 +74,15 @@ void PrepareChild(pid_t parent, int printed, uint64_t memory_limit) {
 }
 
 [[noreturn]] void RunChild(const Work& work, int notifications) {
-  Job job{&work, notifications};
+  ChildTask task{&work, notifications};
   pthread_attr_t attributes;
   pthread_t thread;
   pthread_attr_init(&attributes);
   pthread_attr_setstacksize(&attributes, kChildStackBytes);
-  if (pthread_create(&thread, &attributes, RunJob, &job) == 0) {
+  if (pthread_create(&thread, &attributes, RunTask, &task) == 0) {
     pthread_join(thread, nullptr);
   } else {
-    RunJob(&job);  // better a small stack than no picture
+    RunTask(&task);  // better a small stack than no picture
   }
   _exit(0);  // no destructors: the driver's may hang, and the parent's are not the child's to run
 }
