@@ -295,6 +295,12 @@ TEST(LayerTest, OpacityAndChance) {
     EXPECT_TRUE(seen.alpha < 1e-4 || seen.alpha > 1 - 1e-4);
   }
   EXPECT_NEAR(drawn, 1200, 5 * std::sqrt(4000 * 0.3 * 0.7));
+  // Those that are drawn are as opaque as all would be.
+  sum = 0;
+  for (const Seen& seen : RunLayer(kGrid, R"(, "opacity": [0, 1], "chance": 0.3)", "", points)) {
+    sum += seen.alpha;
+  }
+  EXPECT_NEAR(sum / drawn, 0.5, 5 / std::sqrt(12.0 * drawn));
 }
 
 TEST(LayerTest, Fit) {

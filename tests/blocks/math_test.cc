@@ -21,40 +21,41 @@ void ExpectNear(double seen, double wanted, double relative, const std::string& 
   EXPECT_NEAR(seen, wanted, relative * std::fmax(1, std::fabs(wanted))) << what;
 }
 
-// On floats, and in the third component of a vec3.
+// On floats, and in the last component of vectors of every width.
 void CheckUnary(const std::string& block, const std::string& port, const Unary& wanted,
                 double relative = 0) {
-  auto scalar = RunBlock(block, {{port, Floats(kA)}});
-  std::vector<Vector> vectors;
-  for (double a : kA) {
-    vectors.push_back({9, 8, a});
-  }
-  auto vector = RunBlock(block, {{port, Vectors(vectors)}});
-  ASSERT_EQ(scalar.size(), 1u);
-  ASSERT_EQ(vector.size(), 1u);
-  for (size_t i = 0; i < kA.size(); ++i) {
-    std::string what = block + " " + std::to_string(kA[i]);
-    ExpectNear(scalar["result"].Float(i), wanted(kA[i]), relative, what);
-    ExpectNear(vector["result"].Float(i, 2), wanted(kA[i]), relative, what);
+  for (size_t width = 1; width <= 4; ++width) {
+    std::vector<Vector> values;
+    for (double a : kA) {
+      values.push_back(Vector(width, 9));
+      values.back().back() = a;
+    }
+    auto outputs = RunBlock(block, {{port, Vectors(values)}});
+    ASSERT_EQ(outputs.size(), 1u);
+    for (size_t i = 0; i < kA.size(); ++i) {
+      ExpectNear(outputs["result"].Float(i, width - 1), wanted(kA[i]), relative,
+                 block + " " + std::to_string(kA[i]));
+    }
   }
 }
 
 void CheckBinary(const std::string& block, const std::string& port_a, const std::string& port_b,
                  const Binary& wanted, double relative = 0) {
-  auto scalar = RunBlock(block, {{port_a, Floats(kA)}, {port_b, Floats(kB)}});
-  std::vector<Vector> vectors_a, vectors_b;
-  for (size_t i = 0; i < kA.size(); ++i) {
-    vectors_a.push_back({1, kA[i]});
-    vectors_b.push_back({1, kB[i]});
-  }
-  auto vector = RunBlock(block, {{port_a, Vectors(vectors_a)}, {port_b, Vectors(vectors_b)}});
-  ASSERT_EQ(scalar.size(), 1u);
-  ASSERT_EQ(vector.size(), 1u);
-  for (size_t i = 0; i < kA.size(); ++i) {
-    std::string what = block + " " + std::to_string(kA[i]) + " " + std::to_string(kB[i]);
-    double expected = wanted(static_cast<float>(kA[i]), static_cast<float>(kB[i]));
-    ExpectNear(scalar["result"].Float(i), expected, relative, what);
-    ExpectNear(vector["result"].Float(i, 1), expected, relative, what);
+  for (size_t width = 1; width <= 4; ++width) {
+    std::vector<Vector> values_a, values_b;
+    for (size_t i = 0; i < kA.size(); ++i) {
+      values_a.push_back(Vector(width, 9));
+      values_b.push_back(Vector(width, 9));
+      values_a.back().back() = kA[i];
+      values_b.back().back() = kB[i];
+    }
+    auto outputs = RunBlock(block, {{port_a, Vectors(values_a)}, {port_b, Vectors(values_b)}});
+    ASSERT_EQ(outputs.size(), 1u);
+    for (size_t i = 0; i < kA.size(); ++i) {
+      double expected = wanted(static_cast<float>(kA[i]), static_cast<float>(kB[i]));
+      ExpectNear(outputs["result"].Float(i, width - 1), expected, relative,
+                 block + " " + std::to_string(kA[i]) + " " + std::to_string(kB[i]));
+    }
   }
 }
 

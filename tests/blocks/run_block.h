@@ -34,7 +34,7 @@ Values Floats(const std::vector<double>& values);
 Values Ints(const std::vector<int32_t>& values);
 Values Uints(const std::vector<uint32_t>& values);
 Values Bools(const std::vector<bool>& values);
-// Vectors of 2, 3 or 4 floats; ivec2.
+// Floats (of one component) or vectors of 2, 3 or 4; ivec2.
 Values Vectors(const std::vector<Vector>& values);
 Values CellsOf(const std::vector<std::pair<int32_t, int32_t>>& cells);
 
