@@ -1,0 +1,233 @@
+// brick_wall: a function for a shader of #version 330 or later, compiled by texgraphc 0.1.0.
+// Call it in the main part of a fragment shader, outside branches and loops: textures are
+// sampled with derivatives, which neighbouring pixels have to compute together.
+
+// Parameters
+uniform vec3 tint;  // default vec3(1.0)
+uniform float soot_amount;  // default 0.85
+uniform float moss_amount;  // default 0.9
+
+// Textures
+uniform sampler2D brick;
+uniform sampler2D mortar;
+uniform sampler2D soot;
+uniform sampler2D moss;
+
+// Types
+struct Tile {
+  ivec2 cell;
+  vec2 local;
+  vec2 size;
+  uint seed;
+};
+
+// wrap_cell (tiles/wrap_cell.glsl)
+int wrap_cell(int cell, int count) {
+  int flip = cell >> 31;
+  return (((cell ^ flip) % count) ^ flip) + (flip & count);
+}
+
+// hash (random/hash.glsl)
+uint hash(uint value) {
+  uint state = value * 747796405u + 2891336453u;
+  uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+  return (word >> 22u) ^ word;
+}
+
+// brick_grid (tiles/brick_grid.glsl)
+void brick_grid(vec2 uv, vec2 uv_dx, vec2 uv_dy, out Tile tile, out vec2 tile_local_dx,
+    out vec2 tile_local_dy) {
+  float y = uv.y * 10.0;
+  float y_dx = uv_dx.y * 10.0;
+  float y_dy = uv_dy.y * 10.0;
+  float bottom = floor(y);
+  int row = int(bottom);
+  row = wrap_cell(row, 10);
+  uint row_bits = hash(uint(row) + hash(0u));
+  float x_dx = uv_dx.x * 5.0;
+  float x_dy = uv_dy.x * 5.0;
+  float product = 0.08 * (float(hash(row_bits + 4294967295u) >> 8u) * 5.9604645e-8);
+  float x = uv.x * 5.0 + 0.5 * float(row & 1) + product;
+  float left = floor(x);
+  int column = int(left);
+  column = wrap_cell(column, 5);
+  vec2 tile_local_dx2 = vec2(x_dx, y_dx);
+  vec2 tile_local_dy2 = vec2(x_dy, y_dy);
+  uint hash_value = hash(uint(column) + row_bits);
+  Tile tile2 = Tile(ivec2(column, row), vec2(x - left, y - bottom), vec2(0.2, 0.1), hash_value);
+  tile = tile2;
+  tile_local_dx = tile_local_dx2;
+  tile_local_dy = tile_local_dy2;
+}
+
+// color_ramp (color/color_ramp.glsl)
+vec4 color_ramp(float position) {
+  vec4 vector = vec4(clamp(position / 0.2, 0.0, 1.0));
+  vec4 color = mix(vec4(0.38, 0.36, 0.4, 1.0), vec4(0.85, 0.75, 0.7, 1.0), vector);
+  color = mix(color, vec4(1.25, 1.0, 0.8, 1.0), clamp((position - 0.2) / 0.40000004, 0.0, 1.0));
+  return mix(color, vec4(1.5, 1.5, 1.3, 1.0), clamp((position - 0.6) / 0.39999998, 0.0, 1.0));
+}
+
+// layer (layers/layer.glsl)
+float coverage(vec2 q, vec2 cell_in_q, vec2 local, vec2 q_dx, vec2 q_dy, vec2 local_dx,
+    vec2 local_dy) {
+  vec2 density = 1.0 / clamp(sqrt(q_dx * q_dx + q_dy * q_dy), vec2(1e-5), cell_in_q);
+  vec2 share = min((0.5 - abs(q - 0.5)) * density + 0.5, density);
+  vec2 cell_width = clamp(sqrt(local_dx * local_dx + local_dy * local_dy), 1e-5, 1.0);
+  vec2 inside = clamp((0.5 - abs(local - 0.5)) / cell_width + 0.5, 0.5, 1.0);
+  vec2 covered = clamp(share / inside, 0.0, 1.0);
+  return covered.x * covered.y;
+}
+
+// layer (layers/layer.glsl)
+void layer_brick_layer(Tile tile, vec3 tint, vec2 tile_local_dx, vec2 tile_local_dy, out vec4 color,
+    out Tile inner, out vec2 inner_local_dx, out vec2 inner_local_dy) {
+  uint seed = hash(tile.seed);
+  uint hash_value = hash(seed + 4294967294u);
+  vec2 turn = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
+  float size = mix(0.97, 1.03, turn.x);
+  float angle = mix(-1.2, 1.2, turn.y) * 0.017453292;
+  vec2 across = vec2(tile.size.y, -tile.size.x) / tile.size;
+  uint hash_value2 = hash(seed + 4294967295u);
+  vec2 product = vec2(float(hash_value2 & 65535u), float(hash_value2 >> 16u)) * 1.5258789e-5;
+  vec2 p = tile.local - mix(vec2(0.485, 0.48), vec2(0.515, 0.52), product);
+  float shrink = 1.0 / size;
+  vec2 point = vec2(cos(angle) * shrink);
+  vec2 product2 = sin(angle) * shrink * across;
+  vec2 q = point * p + (product2 * p.yx + 0.5);
+  vec2 q_dx = point * tile_local_dx + product2 * tile_local_dx.yx;
+  vec2 q_dy = point * tile_local_dy + product2 * tile_local_dy.yx;
+  Tile inner2 = Tile(tile.cell, q, size * tile.size, seed);
+  vec4 color2 = textureGrad(brick, q, q_dx, q_dy);
+  float coverage_value = coverage(q, vec2(shrink), tile.local, q_dx, q_dy, tile_local_dx,
+      tile_local_dy);
+  color2 = vec4(color2.xyz * tint, color2.w * coverage_value);
+  color = color2;
+  inner = inner2;
+  inner_local_dx = q_dx;
+  inner_local_dy = q_dy;
+}
+
+// layer (layers/layer.glsl)
+vec4 layer_soot_layer(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
+  uint seed = hash(tile.seed + 1u);
+  uint hash_value = hash(seed + 4294967294u);
+  vec2 turn = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
+  float size = mix(0.8, 1.5, turn.x);
+  float angle = mix(-8.0, 8.0, turn.y) * 0.017453292;
+  vec2 across = vec2(tile.size.y, -tile.size.x) / tile.size;
+  uint hash_value2 = hash(seed + 4294967295u);
+  vec2 product = vec2(float(hash_value2 & 65535u), float(hash_value2 >> 16u)) * 1.5258789e-5;
+  vec2 p = tile.local - mix(vec2(0.1, 0.4), vec2(0.9, 0.7), product);
+  float shrink = 1.0 / size;
+  vec2 point = vec2(cos(angle) * shrink);
+  vec2 product2 = sin(angle) * shrink * across;
+  vec2 q = point * p + (product2 * p.yx + 0.5);
+  vec2 q_dx = point * tile_local_dx + product2 * tile_local_dx.yx;
+  vec2 q_dy = point * tile_local_dy + product2 * tile_local_dy.yx;
+  vec4 color = textureGrad(soot, q, q_dx, q_dy);
+  uint hash_value3 = hash(seed + 4294967293u);
+  vec2 luck = vec2(float(hash_value3 & 65535u), float(hash_value3 >> 16u)) * 1.5258789e-5;
+  color = luck.y >= 0.7 ? vec4(color.xyz, 0.0) : color;
+  float coverage_value = coverage(q, vec2(shrink), tile.local, q_dx, q_dy, tile_local_dx,
+      tile_local_dy);
+  color = vec4(color.xyz, color.w * (luck.x * coverage_value));
+  return color;
+}
+
+// layer (layers/layer.glsl)
+vec4 layer_moss_layer(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
+  uint seed = hash(tile.seed + 2u);
+  uint hash_value = hash(seed + 4294967294u);
+  vec2 turn = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
+  float size = mix(0.4, 1.0, turn.x);
+  float angle = mix(-180.0, 180.0, turn.y) * 0.017453292;
+  float side = min(tile.size.x, tile.size.y);
+  vec2 along = tile.size / side;
+  vec2 across = vec2(tile.size.y, -tile.size.x) / side;
+  uint hash_value2 = hash(seed + 4294967295u);
+  vec2 product = vec2(float(hash_value2 & 65535u), float(hash_value2 >> 16u)) * 1.5258789e-5;
+  vec2 p = tile.local - mix(vec2(0.1, 0.3), vec2(0.9, 0.55), product);
+  float shrink = 1.0 / size;
+  vec2 product2 = cos(angle) * shrink * along;
+  vec2 product3 = sin(angle) * shrink * across;
+  vec2 q = product2 * p + (product3 * p.yx + 0.5);
+  vec2 q_dx = product2 * tile_local_dx + product3 * tile_local_dx.yx;
+  vec2 q_dy = product2 * tile_local_dy + product3 * tile_local_dy.yx;
+  vec4 color = textureGrad(moss, q, q_dx, q_dy);
+  uint hash_value3 = hash(seed + 4294967293u);
+  vec2 luck = vec2(float(hash_value3 & 65535u), float(hash_value3 >> 16u)) * 1.5258789e-5;
+  color = luck.y >= 0.35 ? vec4(color.xyz, 0.0) : color;
+  float coverage_value = coverage(q, along * shrink, tile.local, q_dx, q_dy, tile_local_dx,
+      tile_local_dy);
+  color = vec4(color.xyz, color.w * (mix(0.6, 1.0, luck.x) * coverage_value));
+  return color;
+}
+
+// blend (layers/blend.glsl)
+vec4 blend_sooty_brick(vec4 foreground, vec4 background, float opacity, float mask) {
+  float front = foreground.w * opacity * mask;
+  float alpha = 1.0 - (1.0 - front) * (1.0 - background.w);
+  return vec4(mix(background.xyz, foreground.xyz, front / max(alpha, 1e-20)), alpha);
+}
+
+// over (layers/over.glsl)
+vec4 over(vec4 foreground, vec4 background) {
+  float alpha = 1.0 - (1.0 - foreground.w) * (1.0 - background.w);
+  vec3 blend = mix(background.xyz, foreground.xyz, foreground.w / max(alpha, 1e-20));
+  return vec4(blend, alpha);
+}
+
+// blend (layers/blend.glsl)
+vec4 blend_mossy_wall(vec4 foreground, vec4 background, float opacity) {
+  float front = foreground.w * opacity;
+  float alpha = 1.0 - (1.0 - front) * (1.0 - background.w);
+  return vec4(mix(background.xyz, foreground.xyz, front / max(alpha, 1e-20)), alpha);
+}
+
+void brick_wall(vec2 uv, out vec4 color, out float roughness) {
+  vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
+  // grid: brick_grid
+  Tile grid;
+  vec2 grid_local_dx;
+  vec2 grid_local_dy;
+  brick_grid(uv, uv_dx, uv_dy, grid, grid_local_dx, grid_local_dy);
+  // bed: tiled_image
+  vec4 bed = texture(mortar, uv * 3.0);
+  // mortar_layer: rgba
+  vec4 mortar_layer = vec4(bed.xyz, 1.0);
+  // firing: tile_random
+  float firing = float(hash(grid.seed) >> 8u) * 5.9604645e-8;
+  // clay: color_ramp
+  vec4 clay = color_ramp(firing);
+  // brightness: tile_random
+  float brightness = mix(0.7, 1.15, float(hash(grid.seed + 1u) >> 8u) * 5.9604645e-8);
+  // shade: multiply
+  vec3 shade = clay.xyz * brightness;
+  // brick_tint: multiply
+  vec3 brick_tint = shade * tint;
+  // brick_layer: layer
+  vec4 brick_layer_color;
+  Tile brick_layer_inner;
+  vec2 brick_layer_inner_local_dx;
+  vec2 brick_layer_inner_local_dy;
+  layer_brick_layer(grid, brick_tint, grid_local_dx, grid_local_dy, brick_layer_color,
+      brick_layer_inner, brick_layer_inner_local_dx, brick_layer_inner_local_dy);
+  // soot_layer: layer
+  vec4 soot_layer_color = layer_soot_layer(brick_layer_inner, brick_layer_inner_local_dx,
+      brick_layer_inner_local_dy);
+  // moss_layer: layer
+  vec4 moss_layer_color = layer_moss_layer(brick_layer_inner, brick_layer_inner_local_dx,
+      brick_layer_inner_local_dy);
+  // sooty_brick: blend
+  vec4 sooty_brick = blend_sooty_brick(soot_layer_color, brick_layer_color, soot_amount,
+      brick_layer_color.w);
+  // wall: over
+  vec4 wall = over(sooty_brick, mortar_layer);
+  // mossy_wall: blend
+  vec4 mossy_wall = blend_mossy_wall(moss_layer_color, wall, moss_amount);
+  // roughness: lerp
+  float roughness2 = mix(0.95, 0.8, brick_layer_color.w);
+  color = mossy_wall;
+  roughness = roughness2;
+}

@@ -1,0 +1,153 @@
+// checker_floor: a fragment shader, compiled by texgraphc 0.1.0.
+#version 450 core
+
+// Inputs
+layout(location = 0) in vec2 uv;
+
+// Parameters
+layout(location = 0) uniform vec4 light;  // default vec4(0.62, 0.58, 0.5, 1.0)
+layout(location = 1) uniform vec4 dark;  // default vec4(0.07, 0.075, 0.085, 1.0)
+
+// Outputs
+layout(location = 0) out vec4 out_color;
+layout(location = 1) out float out_roughness;
+
+// Types
+struct Tile {
+  ivec2 cell;
+  vec2 local;
+  vec2 size;
+  uint seed;
+};
+
+// checker (patterns/checker.glsl)
+vec4 checker(vec2 uv, vec4 a, vec4 b, vec2 uv_dx, vec2 uv_dy) {
+  vec2 p = uv * 8.0;
+  vec2 p_dx = uv_dx * 8.0;
+  vec2 p_dy = uv_dy * 8.0;
+  vec2 width = max(sqrt(p_dx * p_dx + p_dy * p_dy), 0.0001);
+  vec2 product = 0.5 * width;
+  vec2 near = abs(fract((p - product) * 0.5) - 0.5);
+  vec2 far = abs(fract((p + product) * 0.5) - 0.5);
+  vec2 wave = 2.0 * (near - far) / width;
+  return mix(a, b, 0.5 - 0.5 * wave.x * wave.y);
+}
+
+// hash (random/hash.glsl)
+uint hash(uint value) {
+  uint state = value * 747796405u + 2891336453u;
+  uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+  return (word >> 22u) ^ word;
+}
+
+// brick_grid (tiles/brick_grid.glsl)
+void brick_grid(vec2 uv, vec2 uv_dx, vec2 uv_dy, out Tile tile, out vec2 tile_local_dx,
+    out vec2 tile_local_dy) {
+  float y = uv.y * 8.0;
+  float y_dx = uv_dx.y * 8.0;
+  float y_dy = uv_dy.y * 8.0;
+  float bottom = floor(y);
+  int row = int(bottom);
+  uint row_bits = hash(uint(row) + hash(0u));
+  float x = uv.x * 8.0;
+  float x_dx = uv_dx.x * 8.0;
+  float x_dy = uv_dy.x * 8.0;
+  float left = floor(x);
+  int column = int(left);
+  vec2 tile_local_dx2 = vec2(x_dx, y_dx);
+  vec2 tile_local_dy2 = vec2(x_dy, y_dy);
+  uint hash_value = hash(uint(column) + row_bits);
+  Tile tile2 = Tile(ivec2(column, row), vec2(x - left, y - bottom), vec2(0.125), hash_value);
+  tile = tile2;
+  tile_local_dx = tile_local_dx2;
+  tile_local_dy = tile_local_dy2;
+}
+
+// uv_transform (images/uv_transform.glsl)
+vec2 uv_transform(vec2 uv, vec2 uv_dx, vec2 uv_dy, out vec2 result_dx, out vec2 result_dy) {
+  vec2 p = uv - 0.5;
+  result_dx = vec2(0.83867055 * uv_dx.x + 0.54463905 * uv_dx.y,
+      0.83867055 * uv_dx.y - 0.54463905 * uv_dx.x);
+  result_dy = vec2(0.83867055 * uv_dy.x + 0.54463905 * uv_dy.y,
+      0.83867055 * uv_dy.y - 0.54463905 * uv_dy.x);
+  return vec2(0.83867055 * p.x + 0.54463905 * p.y, 0.83867055 * p.y - 0.54463905 * p.x) + 0.5;
+}
+
+// value_noise (patterns/value_noise.glsl)
+float value_noise(vec2 uv, vec2 scale, int seed, vec2 uv_dx, vec2 uv_dy) {
+  vec2 p = uv * scale;
+  vec2 p_dx = uv_dx * scale;
+  vec2 p_dy = uv_dy * scale;
+  vec2 base = floor(p);
+  vec2 t = p - base;
+  vec2 fade = t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
+  ivec2 cell = ivec2(base);
+  uint stream = hash(uint(seed));
+  uint row0 = hash(uint(cell.y) + stream);
+  uint row1 = hash(uint(cell.y + 1) + stream);
+  float product = float(hash(uint(cell.x) + row0) >> 8u) * 5.9604645e-8;
+  uint number = uint(cell.x + 1);
+  float low = mix(product, float(hash(number + row0) >> 8u) * 5.9604645e-8, fade.x);
+  float product2 = float(hash(uint(cell.x) + row1) >> 8u) * 5.9604645e-8;
+  float high = mix(product2, float(hash(number + row1) >> 8u) * 5.9604645e-8, fade.x);
+  vec2 width = sqrt(p_dx * p_dx + p_dy * p_dy);
+  float blur = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
+  return mix(mix(low, high, fade.y), 0.5, blur);
+}
+
+// mortar (tiles/mortar.glsl)
+vec2 brick_integral(vec2 p, vec2 joint) {
+  vec2 turns = floor(p);
+  vec2 difference = 1.0 - 2.0 * joint;
+  return turns * difference + clamp(p - turns - joint, vec2(0.0), difference);
+}
+
+// mortar (tiles/mortar.glsl)
+float mortar(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
+  vec2 joint = 0.002 / tile.size;
+  vec2 greatest = max(sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy), 0.0001);
+  vec2 half_pixel = 0.5 * greatest;
+  vec2 brick_integral_value = brick_integral(tile.local + half_pixel, joint);
+  vec2 brick = (brick_integral_value - brick_integral(tile.local - half_pixel, joint))
+      / (2.0 * half_pixel);
+  return 1.0 - brick.x * brick.y;
+}
+
+void main() {
+  vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
+  // slab: checker
+  vec4 slab = checker(uv, light, dark, uv_dx, uv_dy);
+  // grid: brick_grid
+  Tile grid;
+  vec2 grid_local_dx;
+  vec2 grid_local_dy;
+  brick_grid(uv, uv_dx, uv_dy, grid, grid_local_dx, grid_local_dy);
+  // tone: tile_random
+  float tone = mix(0.75, 1.1, float(hash(grid.seed) >> 8u) * 5.9604645e-8);
+  // tilted: uv_transform
+  vec2 tilted_dx;
+  vec2 tilted_dy;
+  vec2 tilted = uv_transform(uv, uv_dx, uv_dy, tilted_dx, tilted_dy);
+  // coarse: value_noise
+  float coarse = value_noise(tilted, vec2(34.0), 3, tilted_dx, tilted_dy);
+  // fine: value_noise
+  float fine = value_noise(tilted, vec2(110.0), 4, tilted_dx, tilted_dy);
+  // clouds: lerp
+  float clouds = mix(coarse, fine, 0.4);
+  // grain: remap
+  float grain = mix(0.85, 1.1, clouds);
+  // shade: multiply
+  float shade = tone * grain;
+  // shaded: multiply
+  vec3 shaded = slab.xyz * shade;
+  // gap: mortar
+  float gap = mortar(grid, grid_local_dx, grid_local_dy);
+  // jointed: lerp
+  vec3 jointed = mix(shaded, vec3(0.16, 0.15, 0.14), gap);
+  // floor_color: rgba
+  vec4 floor_color = vec4(jointed, 1.0);
+  // polish: lerp
+  float polish = mix(0.25, 0.9, gap);
+  out_color = floor_color;
+  out_roughness = polish;
+}

@@ -1,0 +1,199 @@
+// confetti: a function for a shader of #version 330 or later, compiled by texgraphc 0.1.0.
+// Call it in the main part of a fragment shader, outside branches and loops: textures are
+// sampled with derivatives, which neighbouring pixels have to compute together.
+
+// Parameters
+uniform vec4 ground;  // default vec4(0.86, 0.84, 0.8, 1.0)
+
+// Types
+struct Tile {
+  ivec2 cell;
+  vec2 local;
+  vec2 size;
+  uint seed;
+};
+
+// hash (random/hash.glsl)
+uint hash(uint value) {
+  uint state = value * 747796405u + 2891336453u;
+  uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+  return (word >> 22u) ^ word;
+}
+
+// brick_grid (tiles/brick_grid.glsl)
+void brick_grid_grid_1(vec2 uv, vec2 uv_dx, vec2 uv_dy, out Tile tile, out vec2 tile_local_dx,
+    out vec2 tile_local_dy) {
+  float y = uv.y * 9.0;
+  float y_dx = uv_dx.y * 9.0;
+  float y_dy = uv_dy.y * 9.0;
+  float bottom = floor(y);
+  int row = int(bottom);
+  uint row_bits = hash(uint(row) + hash(1u));
+  float x_dx = uv_dx.x * 9.0;
+  float x_dy = uv_dy.x * 9.0;
+  float x = uv.x * 9.0 + 0.5 * float(row & 1);
+  float left = floor(x);
+  int column = int(left);
+  vec2 tile_local_dx2 = vec2(x_dx, y_dx);
+  vec2 tile_local_dy2 = vec2(x_dy, y_dy);
+  uint hash_value = hash(uint(column) + row_bits);
+  Tile tile2 = Tile(ivec2(column, row), vec2(x - left, y - bottom), vec2(0.11111111), hash_value);
+  tile = tile2;
+  tile_local_dx = tile_local_dx2;
+  tile_local_dy = tile_local_dy2;
+}
+
+// brick_grid (tiles/brick_grid.glsl)
+void brick_grid_grid_2(vec2 uv, int rows, int columns, int seed, vec2 uv_dx, vec2 uv_dy,
+    out Tile tile, out vec2 tile_local_dx, out vec2 tile_local_dy) {
+  float value = float(rows);
+  float y = uv.y * value;
+  float y_dx = uv_dx.y * value;
+  float y_dy = uv_dy.y * value;
+  float bottom = floor(y);
+  int row = int(bottom);
+  uint row_bits = hash(uint(row) + hash(uint(seed)));
+  float value2 = float(columns);
+  float x_dx = uv_dx.x * value2;
+  float x_dy = uv_dy.x * value2;
+  float x = uv.x * value2 + 0.5 * float(row & 1) + float(hash(row_bits + 4294967295u) >> 8u)
+      * 5.9604645e-8;
+  float left = floor(x);
+  int column = int(left);
+  vec2 tile_local_dx2 = vec2(x_dx, y_dx);
+  vec2 tile_local_dy2 = vec2(x_dy, y_dy);
+  vec2 ratio = 1.0 / vec2(value2, value);
+  uint hash_value = hash(uint(column) + row_bits);
+  Tile tile2 = Tile(ivec2(column, row), vec2(x - left, y - bottom), ratio, hash_value);
+  tile = tile2;
+  tile_local_dx = tile_local_dx2;
+  tile_local_dy = tile_local_dy2;
+}
+
+// random3 (random/random3.glsl)
+vec3 random3(uint seed) {
+  uint bits = hash(seed + 4u);
+  vec2 product = vec2(float(bits & 65535u), float(bits >> 16u)) * 1.5258789e-5;
+  return vec3(product, float(hash(bits) >> 8u) * 5.9604645e-8);
+}
+
+// circle (patterns/circle.glsl)
+float circle(vec2 uv, float radius, vec2 uv_dx, vec2 uv_dy) {
+  vec2 difference = uv - 0.5;
+  float from_center = length(difference);
+  float greatest = max(from_center, 1e-20);
+  float from_center_dx = dot(difference, uv_dx) / greatest;
+  float from_center_dy = dot(difference, uv_dy) / greatest;
+  float width = max(sqrt(from_center_dx * from_center_dx + from_center_dy * from_center_dy), 1e-7);
+  return clamp((radius - from_center) / width + 0.5, 0.0, 1.0);
+}
+
+// layer (layers/layer.glsl)
+float coverage(vec2 q, vec2 cell_in_q, vec2 local, vec2 q_dx, vec2 q_dy, vec2 local_dx,
+    vec2 local_dy) {
+  vec2 density = 1.0 / clamp(sqrt(q_dx * q_dx + q_dy * q_dy), vec2(1e-5), cell_in_q);
+  vec2 share = min((0.5 - abs(q - 0.5)) * density + 0.5, density);
+  vec2 cell_width = clamp(sqrt(local_dx * local_dx + local_dy * local_dy), 1e-5, 1.0);
+  vec2 inside = clamp((0.5 - abs(local - 0.5)) / cell_width + 0.5, 0.5, 1.0);
+  vec2 covered = clamp(share / inside, 0.0, 1.0);
+  return covered.x * covered.y;
+}
+
+// layer (layers/layer.glsl)
+vec4 layer_sheet_1(Tile tile, vec3 tint, vec2 tile_local_dx, vec2 tile_local_dy) {
+  uint seed = hash(tile.seed);
+  uint hash_value = hash(seed + 4294967294u);
+  vec2 turn = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
+  float size = mix(0.5, 0.75, turn.x);
+  float angle = 360.0 * turn.y * 0.017453292;
+  vec2 across = vec2(tile.size.y, -tile.size.x) / tile.size;
+  uint hash_value2 = hash(seed + 4294967295u);
+  vec2 product = vec2(float(hash_value2 & 65535u), float(hash_value2 >> 16u)) * 1.5258789e-5;
+  vec2 p = tile.local - mix(vec2(0.4), vec2(0.6), product);
+  float shrink = 1.0 / size;
+  vec2 point = vec2(cos(angle) * shrink);
+  vec2 product2 = sin(angle) * shrink * across;
+  vec2 q = point * p + (product2 * p.yx + 0.5);
+  vec2 q_dx = point * tile_local_dx + product2 * tile_local_dx.yx;
+  vec2 q_dy = point * tile_local_dy + product2 * tile_local_dy.yx;
+  float coverage_value = coverage(q, vec2(shrink), tile.local, q_dx, q_dy, tile_local_dx,
+      tile_local_dy);
+  float product3 = (circle(q, 0.45, q_dx, q_dy) - circle(q, 0.12, q_dx, q_dy)) * coverage_value;
+  vec4 color = vec4(mix(0.75, 1.0, clamp(q.y, 0.0, 1.0)) * tint, product3);
+  return color;
+}
+
+// layer (layers/layer.glsl)
+vec4 layer_sheet_2(Tile tile, vec2 position_min, vec2 position_max, vec2 scale, vec3 tint,
+    vec2 tile_local_dx, vec2 tile_local_dy) {
+  uint seed = hash(tile.seed);
+  uint hash_value = hash(seed + 4294967294u);
+  vec2 turn = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
+  float size = mix(scale.x, scale.y, turn.x);
+  float angle = 360.0 * turn.y * 0.017453292;
+  vec2 across = vec2(tile.size.y, -tile.size.x) / tile.size;
+  uint hash_value2 = hash(seed + 4294967295u);
+  vec2 product = vec2(float(hash_value2 & 65535u), float(hash_value2 >> 16u)) * 1.5258789e-5;
+  vec2 p = tile.local - mix(position_min, position_max, product);
+  float shrink = 1.0 / size;
+  vec2 point = vec2(cos(angle) * shrink);
+  vec2 product2 = sin(angle) * shrink * across;
+  vec2 q = point * p + (product2 * p.yx + 0.5);
+  vec2 q_dx = point * tile_local_dx + product2 * tile_local_dx.yx;
+  vec2 q_dy = point * tile_local_dy + product2 * tile_local_dy.yx;
+  float difference = circle(q, 0.45, q_dx, q_dy) - circle(q, 0.12, q_dx, q_dy);
+  vec3 product3 = mix(0.75, 1.0, clamp(q.y, 0.0, 1.0)) * tint;
+  uint hash_value3 = hash(seed + 4294967293u);
+  vec2 luck = vec2(float(hash_value3 & 65535u), float(hash_value3 >> 16u)) * 1.5258789e-5;
+  float coverage_value = coverage(q, vec2(shrink), tile.local, q_dx, q_dy, tile_local_dx,
+      tile_local_dy);
+  vec4 color = vec4(product3, difference * (mix(0.4, 1.0, luck.x) * coverage_value));
+  return color;
+}
+
+// over (layers/over.glsl)
+vec4 over(vec4 foreground, vec4 background) {
+  float alpha = 1.0 - (1.0 - foreground.w) * (1.0 - background.w);
+  vec3 blend = mix(background.xyz, foreground.xyz, foreground.w / max(alpha, 1e-20));
+  return vec4(blend, alpha);
+}
+
+vec4 confetti(vec2 uv) {
+  vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
+  // grid_1: brick_grid
+  Tile grid_1;
+  vec2 grid_1_local_dx;
+  vec2 grid_1_local_dy;
+  brick_grid_grid_1(uv, uv_dx, uv_dy, grid_1, grid_1_local_dx, grid_1_local_dy);
+  // grid_2: brick_grid
+  Tile grid_2;
+  vec2 grid_2_local_dx;
+  vec2 grid_2_local_dy;
+  brick_grid_grid_2(uv, 14, 14, 2, uv_dx, uv_dy, grid_2, grid_2_local_dx, grid_2_local_dy);
+  // grid_3: brick_grid
+  Tile grid_3;
+  vec2 grid_3_local_dx;
+  vec2 grid_3_local_dy;
+  brick_grid_grid_2(uv, 20, 20, 3, uv_dx, uv_dy, grid_3, grid_3_local_dx, grid_3_local_dy);
+  // color_1: tile_random_color
+  vec3 color_1 = mix(vec3(0.5, 0.05, 0.02), vec3(1.0, 0.55, 0.2), random3(grid_1.seed));
+  // color_2: tile_random_color
+  vec3 color_2 = mix(vec3(0.02, 0.2, 0.35), vec3(0.2, 0.6, 0.9), random3(grid_2.seed));
+  // color_3: tile_random_color
+  vec3 color_3 = mix(vec3(0.25, 0.4, 0.02), vec3(0.75, 0.8, 0.15), random3(grid_3.seed));
+  // sheet_1: layer
+  vec4 sheet_1_color = layer_sheet_1(grid_1, color_1, grid_1_local_dx, grid_1_local_dy);
+  // sheet_2: layer
+  vec4 sheet_2_color = layer_sheet_2(grid_2, vec2(0.35), vec2(0.65), vec2(0.4, 0.65), color_2,
+      grid_2_local_dx, grid_2_local_dy);
+  // sheet_3: layer
+  vec4 sheet_3_color = layer_sheet_2(grid_3, vec2(0.3), vec2(0.7), vec2(0.3, 0.6), color_3,
+      grid_3_local_dx, grid_3_local_dy);
+  // lower: over
+  vec4 lower = over(sheet_3_color, ground);
+  // middle: over
+  vec4 middle = over(sheet_2_color, lower);
+  // upper: over
+  vec4 upper = over(sheet_1_color, middle);
+  return upper;
+}

@@ -1,0 +1,146 @@
+// noise_islands: a fragment shader, compiled by texgraphc 0.1.0.
+#version 450 core
+
+// Inputs
+layout(location = 0) in vec2 uv;
+
+// Parameters
+layout(location = 0) uniform float sea_level;  // default 0.5
+
+// Outputs
+layout(location = 0) out vec4 out_color;
+layout(location = 1) out float out_height;
+layout(location = 2) out float out_roughness;
+
+// hash (random/hash.glsl)
+uint hash(uint value) {
+  uint state = value * 747796405u + 2891336453u;
+  uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+  return (word >> 22u) ^ word;
+}
+
+// value_noise (patterns/value_noise.glsl)
+float value_noise(vec2 uv, vec2 scale, vec2 uv_dx, vec2 uv_dy, out float result_dx,
+    out float result_dy) {
+  vec2 p = uv * scale;
+  vec2 p_dx = uv_dx * scale;
+  vec2 p_dy = uv_dy * scale;
+  vec2 base = floor(p);
+  vec2 t = p - base;
+  vec2 product = t * t;
+  vec2 product2 = p_dx * t;
+  vec2 product3 = p_dy * t;
+  vec2 product4 = product * t;
+  vec2 difference = t * 6.0 - 15.0;
+  vec2 sum = t * difference + 10.0;
+  vec2 fade = product4 * sum;
+  vec2 product5 = ((product2 + product2) * t + product * p_dx) * sum;
+  vec2 fade_dx = product5 + product4 * (p_dx * difference + t * (p_dx * 6.0));
+  vec2 product6 = ((product3 + product3) * t + product * p_dy) * sum;
+  vec2 fade_dy = product6 + product4 * (p_dy * difference + t * (p_dy * 6.0));
+  ivec2 cell = ivec2(base);
+  uint stream = hash(7u);
+  uint row0 = hash(uint(cell.y) + stream);
+  uint row1 = hash(uint(cell.y + 1) + stream);
+  float product7 = float(hash(uint(cell.x) + row0) >> 8u) * 5.9604645e-8;
+  uint number = uint(cell.x + 1);
+  float product8 = float(hash(number + row0) >> 8u) * 5.9604645e-8;
+  float low = mix(product7, product8, fade.x);
+  float difference2 = product8 - product7;
+  float low_dx = difference2 * fade_dx.x;
+  float low_dy = difference2 * fade_dy.x;
+  float product9 = float(hash(uint(cell.x) + row1) >> 8u) * 5.9604645e-8;
+  float product10 = float(hash(number + row1) >> 8u) * 5.9604645e-8;
+  float high = mix(product9, product10, fade.x);
+  float difference3 = product10 - product9;
+  float high_dx = difference3 * fade_dx.x;
+  float high_dy = difference3 * fade_dy.x;
+  vec2 width = sqrt(p_dx * p_dx + p_dy * p_dy);
+  float blur = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
+  float difference4 = high - low;
+  result_dx = mix(mix(low_dx, high_dx, fade.y) + difference4 * fade_dx.y, 0.0, blur);
+  result_dy = mix(mix(low_dy, high_dy, fade.y) + difference4 * fade_dy.y, 0.0, blur);
+  return mix(mix(low, high, fade.y), 0.5, blur);
+}
+
+// remap (math/remap.glsl)
+float remap_depth(float value, float in_high) {
+  float t = in_high == 0.0 ? 0.0 : value / in_high;
+  return t;
+}
+
+// color_ramp (color/color_ramp.glsl)
+float progress(float position) {
+  float t = clamp(position, 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+// remap (math/remap.glsl)
+float remap_altitude(float value, float in_low) {
+  float difference = 0.85 - in_low;
+  float t = difference == 0.0 ? 0.0 : (value - in_low) / difference;
+  return t;
+}
+
+// color_ramp (color/color_ramp.glsl)
+vec4 color_ramp(float position) {
+  vec4 vector = vec4(clamp((position - 0.03) / 0.089999996, 0.0, 1.0));
+  vec4 color = mix(vec4(0.58, 0.47, 0.26, 1.0), vec4(0.12, 0.24, 0.06, 1.0), vector);
+  color = mix(color, vec4(0.09, 0.15, 0.05, 1.0), clamp((position - 0.12) / 0.32999998, 0.0, 1.0));
+  return mix(color, vec4(0.42, 0.38, 0.34, 1.0), clamp((position - 0.45) / 0.3, 0.0, 1.0));
+}
+
+// threshold (math/threshold.glsl)
+float threshold(float value, float edge, float value_dx, float value_dy) {
+  float ratio = (value - edge) / max(sqrt(value_dx * value_dx + value_dy * value_dy), 1e-7);
+  return clamp(ratio + 0.5, 0.0, 1.0);
+}
+
+void main() {
+  vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
+  // lands: value_noise
+  float lands_dx;
+  float lands_dy;
+  float lands = value_noise(uv, vec2(4.0), uv_dx, uv_dy, lands_dx, lands_dy);
+  // hills: value_noise
+  float hills_dx;
+  float hills_dy;
+  float hills = value_noise(uv, vec2(9.0), uv_dx, uv_dy, hills_dx, hills_dy);
+  // rocks: value_noise
+  float rocks_dx;
+  float rocks_dy;
+  float rocks = value_noise(uv, vec2(21.0), uv_dx, uv_dy, rocks_dx, rocks_dy);
+  // stones: value_noise
+  float stones_dx;
+  float stones_dy;
+  float stones = value_noise(uv, vec2(50.0), uv_dx, uv_dy, stones_dx, stones_dy);
+  // coarse: lerp
+  float coarse = mix(lands, hills, 0.35);
+  float coarse_dx = mix(lands_dx, hills_dx, 0.35);
+  float coarse_dy = mix(lands_dy, hills_dy, 0.35);
+  // fine: lerp
+  float fine = mix(rocks, stones, 0.35);
+  float fine_dx = mix(rocks_dx, stones_dx, 0.35);
+  float fine_dy = mix(rocks_dy, stones_dy, 0.35);
+  // height: lerp
+  float height = mix(coarse, fine, 0.25);
+  float height_dx = mix(coarse_dx, fine_dx, 0.25);
+  float height_dy = mix(coarse_dy, fine_dy, 0.25);
+  // depth: remap
+  float depth = remap_depth(height, sea_level);
+  // water: color_ramp
+  vec4 water = mix(vec4(0.01, 0.03, 0.09, 1.0), vec4(0.03, 0.28, 0.36, 1.0), progress(depth));
+  // altitude: remap
+  float altitude = remap_altitude(height, sea_level);
+  // land: color_ramp
+  vec4 land = color_ramp(altitude);
+  // shore: threshold
+  float shore = threshold(height, sea_level, height_dx, height_dy);
+  // map: lerp
+  vec4 map = mix(water, land, shore);
+  // gloss: lerp
+  float gloss = mix(0.1, 0.9, shore);
+  out_color = map;
+  out_height = height;
+  out_roughness = gloss;
+}

@@ -1,0 +1,188 @@
+// painted_wood: a fragment shader, compiled by texgraphc 0.1.0.
+#version 330
+
+// Inputs
+in vec2 uv;
+
+// Parameters
+uniform vec4 paint;  // default vec4(0.11, 0.31, 0.33, 1.0)
+uniform float wear;  // default 0.45
+
+// Textures
+uniform sampler2D wood;
+
+// Outputs
+layout(location = 0) out vec4 out_color;
+layout(location = 1) out float out_roughness;
+
+// Types
+struct Tile {
+  ivec2 cell;
+  vec2 local;
+  vec2 size;
+  uint seed;
+};
+
+// hash (random/hash.glsl)
+uint hash(uint value) {
+  uint state = value * 747796405u + 2891336453u;
+  uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+  return (word >> 22u) ^ word;
+}
+
+// brick_grid (tiles/brick_grid.glsl)
+void brick_grid(vec2 uv, vec2 uv_dx, vec2 uv_dy, out Tile tile, out vec2 tile_local_dx,
+    out vec2 tile_local_dy) {
+  float y = uv.y * 2.0;
+  float y_dx = uv_dx.y * 2.0;
+  float y_dy = uv_dy.y * 2.0;
+  float bottom = floor(y);
+  int row = int(bottom);
+  uint row_bits = hash(uint(row) + hash(5u));
+  float x_dx = uv_dx.x * 7.0;
+  float x_dy = uv_dy.x * 7.0;
+  float x = uv.x * 7.0 + 0.37 * float(row & 1);
+  float left = floor(x);
+  int column = int(left);
+  vec2 tile_local_dx2 = vec2(x_dx, y_dx);
+  vec2 tile_local_dy2 = vec2(x_dy, y_dy);
+  uint hash_value = hash(uint(column) + row_bits);
+  Tile tile2 = Tile(ivec2(column, row), vec2(x - left, y - bottom), vec2(0.14285715, 0.5),
+      hash_value);
+  tile = tile2;
+  tile_local_dx = tile_local_dx2;
+  tile_local_dy = tile_local_dy2;
+}
+
+// uv_transform (images/uv_transform.glsl)
+vec2 uv_transform_turned(vec2 uv, vec2 uv_dx, vec2 uv_dy, out vec2 result_dx, out vec2 result_dy) {
+  vec2 p = uv - 0.5;
+  vec2 ratio = vec2(0.99994516 * p.x + 0.010471784 * p.y, 0.99994516 * p.y - 0.010471784 * p.x)
+      / vec2(0.4, 0.8);
+  result_dx = vec2(0.99994516 * uv_dx.x + 0.010471784 * uv_dx.y,
+      0.99994516 * uv_dx.y - 0.010471784 * uv_dx.x) / vec2(0.4, 0.8);
+  result_dy = vec2(0.99994516 * uv_dy.x + 0.010471784 * uv_dy.y,
+      0.99994516 * uv_dy.y - 0.010471784 * uv_dy.x) / vec2(0.4, 0.8);
+  return ratio + 0.5;
+}
+
+// uv_transform (images/uv_transform.glsl)
+vec2 uv_transform_tilted(vec2 uv, vec2 uv_dx, vec2 uv_dy, out vec2 result_dx, out vec2 result_dy) {
+  vec2 p = uv - 0.5;
+  result_dx = vec2(0.8910065 * uv_dx.x + 0.4539905 * uv_dx.y,
+      0.8910065 * uv_dx.y - 0.4539905 * uv_dx.x);
+  result_dy = vec2(0.8910065 * uv_dy.x + 0.4539905 * uv_dy.y,
+      0.8910065 * uv_dy.y - 0.4539905 * uv_dy.x);
+  return vec2(0.8910065 * p.x + 0.4539905 * p.y, 0.8910065 * p.y - 0.4539905 * p.x) + 0.5;
+}
+
+// value_noise (patterns/value_noise.glsl)
+float value_noise(vec2 uv, vec2 scale, int seed, vec2 uv_dx, vec2 uv_dy) {
+  vec2 p = uv * scale;
+  vec2 p_dx = uv_dx * scale;
+  vec2 p_dy = uv_dy * scale;
+  vec2 base = floor(p);
+  vec2 t = p - base;
+  vec2 fade = t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
+  ivec2 cell = ivec2(base);
+  uint stream = hash(uint(seed));
+  uint row0 = hash(uint(cell.y) + stream);
+  uint row1 = hash(uint(cell.y + 1) + stream);
+  float product = float(hash(uint(cell.x) + row0) >> 8u) * 5.9604645e-8;
+  uint number = uint(cell.x + 1);
+  float low = mix(product, float(hash(number + row0) >> 8u) * 5.9604645e-8, fade.x);
+  float product2 = float(hash(uint(cell.x) + row1) >> 8u) * 5.9604645e-8;
+  float high = mix(product2, float(hash(number + row1) >> 8u) * 5.9604645e-8, fade.x);
+  vec2 width = sqrt(p_dx * p_dx + p_dy * p_dy);
+  float blur = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
+  return mix(mix(low, high, fade.y), 0.5, blur);
+}
+
+// smooth_step (math/smooth_step.glsl)
+float smooth_step(float value, float low, float high) {
+  float t = clamp((value - low) / max(high - low, 1e-7), 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+// mortar (tiles/mortar.glsl)
+vec2 brick_integral(vec2 p, vec2 joint) {
+  vec2 turns = floor(p);
+  vec2 difference = 1.0 - 2.0 * joint;
+  return turns * difference + clamp(p - turns - joint, vec2(0.0), difference);
+}
+
+// mortar (tiles/mortar.glsl)
+float mortar(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
+  vec2 joint = 0.002 / tile.size;
+  vec2 greatest = max(sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy), 0.0001);
+  vec2 half_pixel = 0.5 * greatest;
+  vec2 brick_integral_value = brick_integral(tile.local + half_pixel, joint);
+  vec2 brick = (brick_integral_value - brick_integral(tile.local - half_pixel, joint))
+      / (2.0 * half_pixel);
+  return 1.0 - brick.x * brick.y;
+}
+
+void main() {
+  vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
+  // board: brick_grid
+  Tile board;
+  vec2 board_local_dx;
+  vec2 board_local_dy;
+  brick_grid(uv, uv_dx, uv_dy, board, board_local_dx, board_local_dy);
+  // shift_x: tile_random
+  float shift_x = float(hash(board.seed + 1u) >> 8u) * 5.9604645e-8;
+  // shift_y: tile_random
+  float shift_y = float(hash(board.seed + 2u) >> 8u) * 5.9604645e-8;
+  // shift: combine2
+  vec2 shift = vec2(shift_x, shift_y);
+  // turned: uv_transform
+  vec2 turned_dx;
+  vec2 turned_dy;
+  vec2 turned = uv_transform_turned(uv, uv_dx, uv_dy, turned_dx, turned_dy);
+  // board_uv: add
+  vec2 board_uv = turned + shift;
+  // wood_color: tiled_image
+  vec4 wood_color = textureGrad(wood, board_uv, turned_dx, turned_dy);
+  // tone: tile_random
+  float tone = mix(0.65, 1.0, float(hash(board.seed) >> 8u) * 5.9604645e-8);
+  // board_rgb: multiply
+  vec3 board_rgb = wood_color.xyz * tone;
+  // bare: rgba
+  vec4 bare = vec4(board_rgb, 1.0);
+  // fibre: luminance
+  float fibre = dot(wood_color.xyz, vec3(0.2126, 0.7152, 0.0722));
+  // paint_tone: remap
+  float paint_tone = mix(0.75, 1.1, fibre / 0.4);
+  // paint_color: multiply
+  vec4 paint_color = paint * paint_tone;
+  // tilted: uv_transform
+  vec2 tilted_dx;
+  vec2 tilted_dy;
+  vec2 tilted = uv_transform_tilted(uv, uv_dx, uv_dy, tilted_dx, tilted_dy);
+  // patches: value_noise
+  float patches = value_noise(tilted, vec2(9.0, 7.0), 1, tilted_dx, tilted_dy);
+  // flakes: value_noise
+  float flakes = value_noise(tilted, vec2(42.0, 33.0), 2, tilted_dx, tilted_dy);
+  // chips: value_noise
+  float chips = value_noise(tilted, vec2(130.0, 90.0), 3, tilted_dx, tilted_dy);
+  // edges: lerp
+  float edges = mix(flakes, chips, 0.35);
+  // relief: lerp
+  float relief = mix(patches, edges, 0.45);
+  // raised: lerp
+  float raised = mix(relief, fibre, 0.25);
+  // wear_end: add
+  float wear_end = wear + 0.03;
+  // painted: smooth_step
+  float painted = smooth_step(raised, wear, wear_end);
+  // covered: lerp
+  vec4 covered = mix(bare, paint_color, painted);
+  // gap: mortar
+  float gap = mortar(board, board_local_dx, board_local_dy);
+  // wall: lerp
+  vec4 wall = mix(covered, vec4(0.012, 0.01, 0.008, 1.0), gap);
+  // gloss: lerp
+  float gloss = mix(0.85, 0.4, painted);
+  out_color = wall;
+  out_roughness = gloss;
+}

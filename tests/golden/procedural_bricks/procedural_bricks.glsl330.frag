@@ -1,0 +1,243 @@
+// procedural_bricks: a fragment shader, compiled by texgraphc 0.1.0.
+#version 330
+
+// Inputs
+in vec2 uv;
+
+// Parameters
+uniform vec3 clay;  // default vec3(0.36, 0.13, 0.075)
+
+// Outputs
+layout(location = 0) out vec4 out_color;
+layout(location = 1) out float out_height;
+
+// Types
+struct Tile {
+  ivec2 cell;
+  vec2 local;
+  vec2 size;
+  uint seed;
+};
+
+// hash (random/hash.glsl)
+uint hash(uint value) {
+  uint state = value * 747796405u + 2891336453u;
+  uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+  return (word >> 22u) ^ word;
+}
+
+// brick_grid (tiles/brick_grid.glsl)
+void brick_grid(vec2 uv, vec2 uv_dx, vec2 uv_dy, out Tile tile, out vec2 tile_local_dx,
+    out vec2 tile_local_dy) {
+  float y = uv.y * 10.0;
+  float y_dx = uv_dx.y * 10.0;
+  float y_dy = uv_dy.y * 10.0;
+  float bottom = floor(y);
+  int row = int(bottom);
+  uint row_bits = hash(uint(row) + hash(3u));
+  float x_dx = uv_dx.x * 5.0;
+  float x_dy = uv_dy.x * 5.0;
+  float product = 0.1 * (float(hash(row_bits + 4294967295u) >> 8u) * 5.9604645e-8);
+  float x = uv.x * 5.0 + 0.5 * float(row & 1) + product;
+  float left = floor(x);
+  int column = int(left);
+  vec2 tile_local_dx2 = vec2(x_dx, y_dx);
+  vec2 tile_local_dy2 = vec2(x_dy, y_dy);
+  uint hash_value = hash(uint(column) + row_bits);
+  Tile tile2 = Tile(ivec2(column, row), vec2(x - left, y - bottom), vec2(0.2, 0.1), hash_value);
+  tile = tile2;
+  tile_local_dx = tile_local_dx2;
+  tile_local_dy = tile_local_dy2;
+}
+
+// random3 (random/random3.glsl)
+vec3 random3(uint seed) {
+  uint bits = hash(seed);
+  vec2 product = vec2(float(bits & 65535u), float(bits >> 16u)) * 1.5258789e-5;
+  return vec3(product, float(hash(bits) >> 8u) * 5.9604645e-8);
+}
+
+// value_noise (patterns/value_noise.glsl)
+float value_noise(vec2 uv, vec2 scale, int seed, vec2 uv_dx, vec2 uv_dy) {
+  vec2 p = uv * scale;
+  vec2 p_dx = uv_dx * scale;
+  vec2 p_dy = uv_dy * scale;
+  vec2 base = floor(p);
+  vec2 t = p - base;
+  vec2 fade = t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
+  ivec2 cell = ivec2(base);
+  uint stream = hash(uint(seed));
+  uint row0 = hash(uint(cell.y) + stream);
+  uint row1 = hash(uint(cell.y + 1) + stream);
+  float product = float(hash(uint(cell.x) + row0) >> 8u) * 5.9604645e-8;
+  uint number = uint(cell.x + 1);
+  float low = mix(product, float(hash(number + row0) >> 8u) * 5.9604645e-8, fade.x);
+  float product2 = float(hash(uint(cell.x) + row1) >> 8u) * 5.9604645e-8;
+  float high = mix(product2, float(hash(number + row1) >> 8u) * 5.9604645e-8, fade.x);
+  vec2 width = sqrt(p_dx * p_dx + p_dy * p_dy);
+  float blur = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
+  return mix(mix(low, high, fade.y), 0.5, blur);
+}
+
+// rectangle (patterns/rectangle.glsl)
+float rectangle(vec2 uv, vec2 size, vec2 uv_dx, vec2 uv_dy) {
+  vec2 width = max(sqrt(uv_dx * uv_dx + uv_dy * uv_dy), 1e-7);
+  vec2 share = min((0.5 * size - abs(uv - 0.5)) / width + 0.5, size / width);
+  share = clamp(share, 0.0, 1.0);
+  return share.x * share.y;
+}
+
+// brick_face (function of the graph)
+vec4 brick_face(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
+  // clouds: value_noise
+  float clouds = value_noise(uv, vec2(5.0, 3.0), 1, uv_dx, uv_dy);
+  // grains: value_noise
+  float grains = value_noise(uv, vec2(48.0, 24.0), 2, uv_dx, uv_dy);
+  // rough: lerp
+  float rough = mix(clouds, grains, 0.45);
+  // tone: remap
+  float tone = mix(0.55, 1.35, rough);
+  // wave: value_noise
+  float wave = value_noise(uv, vec2(18.0, 9.0), 3, uv_dx, uv_dy);
+  // inset: remap
+  float inset = mix(0.86, 0.94, wave);
+  // slim: subtract
+  float slim = inset - 0.06;
+  // size: combine2
+  vec2 size = vec2(inset, slim);
+  // shape: rectangle
+  float shape = rectangle(uv, size, uv_dx, uv_dy);
+  // face: rgba
+  vec4 face = vec4(tone, tone, tone, shape);
+  return face;
+}
+
+// layer (layers/layer.glsl)
+float coverage(vec2 q, vec2 cell_in_q, vec2 local, vec2 q_dx, vec2 q_dy, vec2 local_dx,
+    vec2 local_dy) {
+  vec2 density = 1.0 / clamp(sqrt(q_dx * q_dx + q_dy * q_dy), vec2(1e-5), cell_in_q);
+  vec2 share = min((0.5 - abs(q - 0.5)) * density + 0.5, density);
+  vec2 cell_width = clamp(sqrt(local_dx * local_dx + local_dy * local_dy), 1e-5, 1.0);
+  vec2 inside = clamp((0.5 - abs(local - 0.5)) / cell_width + 0.5, 0.5, 1.0);
+  vec2 covered = clamp(share / inside, 0.0, 1.0);
+  return covered.x * covered.y;
+}
+
+// layer (layers/layer.glsl)
+void layer_brick(Tile tile, vec3 tint, vec2 tile_local_dx, vec2 tile_local_dy, out vec4 color,
+    out Tile inner, out vec2 inner_local_dx, out vec2 inner_local_dy) {
+  uint seed = hash(tile.seed);
+  uint hash_value = hash(seed + 4294967294u);
+  vec2 turn = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
+  float size = mix(0.97, 1.02, turn.x);
+  float angle = mix(-1.5, 1.5, turn.y) * 0.017453292;
+  vec2 across = vec2(tile.size.y, -tile.size.x) / tile.size;
+  vec2 p = tile.local - 0.5;
+  float shrink = 1.0 / size;
+  vec2 point = vec2(cos(angle) * shrink);
+  vec2 product = sin(angle) * shrink * across;
+  vec2 q = point * p + (product * p.yx + 0.5);
+  vec2 q_dx = point * tile_local_dx + product * tile_local_dx.yx;
+  vec2 q_dy = point * tile_local_dy + product * tile_local_dy.yx;
+  Tile inner2 = Tile(tile.cell, q, size * tile.size, seed);
+  vec4 color2 = brick_face(q, q_dx, q_dy);
+  float coverage_value = coverage(q, vec2(shrink), tile.local, q_dx, q_dy, tile_local_dx,
+      tile_local_dy);
+  color2 = vec4(color2.xyz * tint, color2.w * coverage_value);
+  color = color2;
+  inner = inner2;
+  inner_local_dx = q_dx;
+  inner_local_dy = q_dy;
+}
+
+// circle (patterns/circle.glsl)
+float circle(vec2 uv, float radius, vec2 uv_dx, vec2 uv_dy) {
+  vec2 difference = uv - 0.5;
+  float from_center = length(difference);
+  float greatest = max(from_center, 1e-20);
+  float from_center_dx = dot(difference, uv_dx) / greatest;
+  float from_center_dy = dot(difference, uv_dy) / greatest;
+  float greatest2 = max(sqrt(from_center_dx * from_center_dx + from_center_dy * from_center_dy),
+      1e-7);
+  float width = 0.08 + greatest2;
+  return clamp((radius - from_center) / width + 0.5, 0.0, 1.0);
+}
+
+// layer (layers/layer.glsl)
+vec4 layer_lime(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
+  uint seed = hash(tile.seed + 1u);
+  uint hash_value = hash(seed + 4294967294u);
+  vec2 turn = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
+  float size = mix(0.3, 0.9, turn.x);
+  float angle = 360.0 * turn.y * 0.017453292;
+  float side = min(tile.size.x, tile.size.y);
+  vec2 along = tile.size / side;
+  vec2 across = vec2(tile.size.y, -tile.size.x) / side;
+  uint hash_value2 = hash(seed + 4294967295u);
+  vec2 product = vec2(float(hash_value2 & 65535u), float(hash_value2 >> 16u)) * 1.5258789e-5;
+  vec2 p = tile.local - mix(vec2(0.1, 0.2), vec2(0.9, 0.8), product);
+  float shrink = 1.0 / size;
+  vec2 product2 = cos(angle) * shrink * along;
+  vec2 product3 = sin(angle) * shrink * across;
+  vec2 q = product2 * p + (product3 * p.yx + 0.5);
+  vec2 q_dx = product2 * tile_local_dx + product3 * tile_local_dx.yx;
+  vec2 q_dy = product2 * tile_local_dy + product3 * tile_local_dy.yx;
+  float circle_value = circle(q, mix(0.08, 0.5, value_noise(q, vec2(7.0), 9, q_dx, q_dy)), q_dx,
+      q_dy);
+  vec4 color = vec4(0.62, 0.58, 0.52, circle_value);
+  uint hash_value3 = hash(seed + 4294967293u);
+  vec2 luck = vec2(float(hash_value3 & 65535u), float(hash_value3 >> 16u)) * 1.5258789e-5;
+  color = luck.y >= 0.5 ? vec4(0.62, 0.58, 0.52, 0.0) : color;
+  float coverage_value = coverage(q, along * shrink, tile.local, q_dx, q_dy, tile_local_dx,
+      tile_local_dy);
+  color = vec4(color.xyz, color.w * (mix(0.2, 0.8, luck.x) * coverage_value));
+  return color;
+}
+
+// blend (layers/blend.glsl)
+vec4 blend(vec4 foreground, vec4 background, float mask) {
+  float front = foreground.w * mask;
+  float alpha = 1.0 - (1.0 - front) * (1.0 - background.w);
+  return vec4(mix(background.xyz, foreground.xyz, front / max(alpha, 1e-20)), alpha);
+}
+
+// over (layers/over.glsl)
+vec4 over(vec4 foreground, vec4 background) {
+  float alpha = 1.0 - (1.0 - foreground.w) * (1.0 - background.w);
+  vec3 blend2 = mix(background.xyz, foreground.xyz, foreground.w / max(alpha, 1e-20));
+  return vec4(blend2, alpha);
+}
+
+void main() {
+  vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
+  // grid: brick_grid
+  Tile grid;
+  vec2 grid_local_dx;
+  vec2 grid_local_dy;
+  brick_grid(uv, uv_dx, uv_dy, grid, grid_local_dx, grid_local_dy);
+  // shade: tile_random_color
+  vec3 shade = mix(vec3(0.75, 0.8, 0.8), vec3(1.4, 1.05, 1.0), random3(grid.seed));
+  // tint: multiply
+  vec3 tint = shade * clay;
+  // brick: layer
+  vec4 brick_color;
+  Tile brick_inner;
+  vec2 brick_inner_local_dx;
+  vec2 brick_inner_local_dy;
+  layer_brick(grid, tint, grid_local_dx, grid_local_dy, brick_color, brick_inner,
+      brick_inner_local_dx, brick_inner_local_dy);
+  // lime: layer
+  vec4 lime_color = layer_lime(brick_inner, brick_inner_local_dx, brick_inner_local_dy);
+  // face: blend
+  vec4 face = blend(lime_color, brick_color, brick_color.w);
+  // sand: value_noise
+  float sand = value_noise(uv, vec2(220.0), 8, uv_dx, uv_dy);
+  // mortar_tone: remap
+  float mortar_tone = mix(0.22, 0.4, sand);
+  // mortar_color: combine4
+  vec4 mortar_color = vec4(mortar_tone, mortar_tone, mortar_tone, 1.0);
+  // wall: over
+  vec4 wall = over(face, mortar_color);
+  out_color = wall;
+  out_height = brick_color.w;
+}

@@ -1,0 +1,145 @@
+// stone_tiles: a function for a shader of #version 450 or later, compiled by texgraphc 0.1.0.
+// Call it in the main part of a fragment shader, outside branches and loops: textures are
+// sampled with derivatives, which neighbouring pixels have to compute together.
+
+// Parameters
+uniform vec3 grout;  // default vec3(0.3, 0.27, 0.24)
+uniform float wear;  // default 0.02
+
+// Types
+struct Tile {
+  ivec2 cell;
+  vec2 local;
+  vec2 size;
+  uint seed;
+};
+
+// hash (random/hash.glsl)
+uint hash(uint value) {
+  uint state = value * 747796405u + 2891336453u;
+  uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+  return (word >> 22u) ^ word;
+}
+
+// brick_grid (tiles/brick_grid.glsl)
+void brick_grid(vec2 uv, vec2 uv_dx, vec2 uv_dy, out Tile tile, out vec2 tile_local_dx,
+    out vec2 tile_local_dy) {
+  float y = uv.y * 6.0;
+  float y_dx = uv_dx.y * 6.0;
+  float y_dy = uv_dy.y * 6.0;
+  float bottom = floor(y);
+  int row = int(bottom);
+  uint row_bits = hash(uint(row) + hash(11u));
+  float x_dx = uv_dx.x * 4.0;
+  float x_dy = uv_dy.x * 4.0;
+  float x = uv.x * 4.0 + 0.5 * float(row & 1);
+  float left = floor(x);
+  int column = int(left);
+  vec2 tile_local_dx2 = vec2(x_dx, y_dx);
+  vec2 tile_local_dy2 = vec2(x_dy, y_dy);
+  uint hash_value = hash(uint(column) + row_bits);
+  Tile tile2 = Tile(ivec2(column, row), vec2(x - left, y - bottom), vec2(0.25, 0.16666667),
+      hash_value);
+  tile = tile2;
+  tile_local_dx = tile_local_dx2;
+  tile_local_dy = tile_local_dy2;
+}
+
+// color_ramp (color/color_ramp.glsl)
+vec4 color_ramp(float position) {
+  vec4 vector = vec4(clamp(position * 2.0, 0.0, 1.0));
+  vec4 color = mix(vec4(0.42, 0.27, 0.15, 1.0), vec4(0.58, 0.42, 0.26, 1.0), vector);
+  return mix(color, vec4(0.5, 0.36, 0.27, 1.0), clamp((position - 0.5) * 2.0, 0.0, 1.0));
+}
+
+// value_noise (patterns/value_noise.glsl)
+float value_noise(vec2 uv, vec2 scale, int seed, vec2 uv_dx, vec2 uv_dy) {
+  vec2 p = uv * scale;
+  vec2 p_dx = uv_dx * scale;
+  vec2 p_dy = uv_dy * scale;
+  vec2 base = floor(p);
+  vec2 t = p - base;
+  vec2 fade = t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
+  ivec2 cell = ivec2(base);
+  uint stream = hash(uint(seed));
+  uint row0 = hash(uint(cell.y) + stream);
+  uint row1 = hash(uint(cell.y + 1) + stream);
+  float product = float(hash(uint(cell.x) + row0) >> 8u) * 5.9604645e-8;
+  uint number = uint(cell.x + 1);
+  float low = mix(product, float(hash(number + row0) >> 8u) * 5.9604645e-8, fade.x);
+  float product2 = float(hash(uint(cell.x) + row1) >> 8u) * 5.9604645e-8;
+  float high = mix(product2, float(hash(number + row1) >> 8u) * 5.9604645e-8, fade.x);
+  vec2 width = sqrt(p_dx * p_dx + p_dy * p_dy);
+  float blur = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
+  return mix(mix(low, high, fade.y), 0.5, blur);
+}
+
+// smooth_step (math/smooth_step.glsl)
+float smooth_step(float value) {
+  float t = clamp((value + 0.004) / 0.016, 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+// mortar (tiles/mortar.glsl)
+vec2 brick_integral(vec2 p, vec2 joint) {
+  vec2 turns = floor(p);
+  vec2 difference = 1.0 - 2.0 * joint;
+  return turns * difference + clamp(p - turns - joint, vec2(0.0), difference);
+}
+
+// mortar (tiles/mortar.glsl)
+float mortar(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
+  vec2 joint = 0.006 / tile.size;
+  vec2 greatest = max(sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy), 0.0001);
+  vec2 half_pixel = 0.5 * greatest;
+  vec2 brick_integral_value = brick_integral(tile.local + half_pixel, joint);
+  vec2 brick = (brick_integral_value - brick_integral(tile.local - half_pixel, joint))
+      / (2.0 * half_pixel);
+  return 1.0 - brick.x * brick.y;
+}
+
+void stone_tiles(vec2 uv, out vec4 color, out float height) {
+  vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
+  // grid: brick_grid
+  Tile grid;
+  vec2 grid_local_dx;
+  vec2 grid_local_dy;
+  brick_grid(uv, uv_dx, uv_dy, grid, grid_local_dx, grid_local_dy);
+  // hue: tile_random
+  float hue = float(hash(grid.seed) >> 8u) * 5.9604645e-8;
+  // stone: color_ramp
+  vec4 stone = color_ramp(hue);
+  // strata: value_noise
+  float strata = value_noise(uv, vec2(5.0, 60.0), 4, uv_dx, uv_dy);
+  // sand: value_noise
+  float sand = value_noise(uv, vec2(180.0), 5, uv_dx, uv_dy);
+  // grain: lerp
+  float grain = mix(strata, sand, 0.5);
+  // tone: remap
+  float tone = mix(0.7, 1.2, grain);
+  // toned: multiply
+  vec3 toned = stone.xyz * tone;
+  // depth: tile_distance
+  vec2 product = (0.5 - abs(grid.local - 0.5)) * grid.size;
+  float depth = min(product.x, product.y);
+  // bites: value_noise
+  float bites = value_noise(uv, vec2(50.0), 6, uv_dx, uv_dy);
+  // eaten: multiply
+  float eaten = bites * wear;
+  // inner_depth: subtract
+  float inner_depth = depth - eaten;
+  // evenness: smooth_step
+  float evenness = smooth_step(inner_depth);
+  // worn: remap
+  float worn = mix(0.55, 1.0, evenness);
+  // worn_color: multiply
+  vec3 worn_color = toned * worn;
+  // joint: mortar
+  float joint = mortar(grid, grid_local_dx, grid_local_dy);
+  // grouted: lerp
+  vec3 grouted = mix(worn_color, grout, joint);
+  // floor_color: rgba
+  vec4 floor_color = vec4(grouted, 1.0);
+  color = floor_color;
+  height = evenness;
+}
