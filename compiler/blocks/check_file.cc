@@ -111,6 +111,10 @@ class FileChecker {
       if (type) {
         info.value =
             CheckConstant(program_, file_, value, type, false, DiagnosticKind::kBlockConstant);
+        ir::Module& module = program_.module;
+        if (info.value && module.types.Kind(type) == ir::TypeKind::kArray) {
+          module.constant_names.try_emplace(info.value, module.InternName(declarator.name));
+        }
       }
     }
     file_.constants.try_emplace(declarator.name, info);

@@ -2,6 +2,7 @@
 #include "compiler/blocks/lower.h"
 
 #include <algorithm>
+#include <memory>
 
 #include "compiler/blocks/check.h"
 #include "compiler/blocks/limits.h"
@@ -18,26 +19,55 @@ const Lowered& Lowering::Function(File& file, uint32_t function, ir::TypeId gen_
   static const Lowered kFailed;
   if (!Enter(key, caller)) return kFailed;
 
+  if (open_.empty()) CheckReachable(file, function, gen_type);
   open_.push_back({&file, function, Variant(gen_type)});
   Lowered lowered;
   if (const TypedFunction* typed = CheckBody(program, file, function, gen_type)) {
-    auto [origin, added] = origins_.try_emplace(&file);
-    if (added) origin->second = program.module.AddOrigin({"", file.name, file.path});
-    ir::Function result;
-    result.display_name = info.ast->name;
-    result.origin = origin->second;
-    ir::Builder builder(program.module, result, {fold, nullptr});
-    builder.SetOrigin(origin->second);
-    std::optional<Lowered> made = FunctionLowering(*this, *typed, result, builder).Run(values);
-    if (made) {
-      lowered = std::move(*made);
-      result.name = UniqueName(file, info);
-      program.module.functions.push_back(std::move(result));
-      lowered.id = ir::FunctionId(program.module.functions.size() - 1);
-    }
+    lowered = Make(*typed, values);
   }
   open_.pop_back();
   return lowered_.emplace(std::move(key), std::move(lowered)).first->second;
+}
+
+// Checks all bodies that a call may lead to, one after the other: lowering finds them checked then,
+// so the two recursions are never on top of each other.
+void Lowering::CheckReachable(File& file, uint32_t function, ir::TypeId gen_type) {
+  std::vector<Callee> waiting{{&file, function, gen_type, {}}};
+  while (!waiting.empty()) {
+    Callee next = std::move(waiting.back());
+    waiting.pop_back();
+    bool generic = next.file->functions[next.function].needs_gen_type;
+    Open open{next.file, next.function, generic ? Variant(next.gen_type) : 0};
+    if (!checked_.insert(open).second) continue;
+    const TypedFunction* typed = CheckBody(program, *next.file, next.function, next.gen_type);
+    if (typed) waiting.insert(waiting.end(), typed->callees.begin(), typed->callees.end());
+  }
+}
+
+Lowered Lowering::Make(const TypedFunction& typed, std::span<const ir::ConstId> values) {
+  // On the heap: calls within calls would take much of the stack.
+  struct Parts {
+    Parts(Lowering& lowering, const TypedFunction& typed)
+        : builder(lowering.program.module, result, {lowering.fold, nullptr}),
+          function(lowering, typed, result, builder) {}
+    ir::Function result;
+    ir::Builder builder;
+    FunctionLowering function;
+  };
+  const File& file = *typed.file;
+  const FunctionInfo& info = file.functions[typed.function];
+  auto [origin, added] = origins_.try_emplace(&file);
+  if (added) origin->second = program.module.AddOrigin({"", file.name, file.path});
+  auto parts = std::make_unique<Parts>(*this, typed);
+  parts->result.display_name = info.ast->name;
+  parts->result.origin = origin->second;
+  parts->builder.SetOrigin(origin->second);
+  std::optional<Lowered> made = parts->function.Run(values);
+  if (!made) return {};
+  parts->result.name = UniqueName(file, info);
+  program.module.functions.push_back(std::move(parts->result));
+  made->id = ir::FunctionId(program.module.functions.size() - 1);
+  return *made;
 }
 
 // Whether the function may be lowered now: it must not be at it already.

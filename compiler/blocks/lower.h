@@ -45,6 +45,8 @@ class Lowering {
     auto operator<=>(const Key&) const = default;
   };
   bool Enter(const Key& key, SourceRange caller);
+  void CheckReachable(File& file, uint32_t function, ir::TypeId gen_type);
+  Lowered Make(const TypedFunction& typed, std::span<const ir::ConstId> values);
   std::string UniqueName(const File& file, const FunctionInfo& info);
 
   std::map<Key, Lowered> lowered_;
@@ -53,7 +55,9 @@ class Lowering {
     uint32_t function;
     uint32_t variant;
     std::string Name() const;
+    auto operator<=>(const Open&) const = default;
   };
+  std::set<Open> checked_;
   std::vector<Open> open_;                 // being lowered, innermost last
   std::map<std::string, uint32_t> names_;  // how often each was given
   std::map<const File*, ir::OriginId> origins_;

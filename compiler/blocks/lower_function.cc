@@ -24,9 +24,9 @@ void FunctionLowering::Error(DiagnosticKind kind, SourceRange range, std::string
   lowering_.program.diagnostics.Error(kind, range, std::move(message));
 }
 
-bool FunctionLowering::Enter(SourceRange range) {
-  if (depth_ < kMaxLoweringDepth) {
-    ++depth_;
+bool FunctionLowering::Enter(SourceRange range, uint32_t units) {
+  if (depth_ + units <= kMaxLoweringDepth) {
+    depth_ += units;
     return true;
   }
   failed_ = true;
@@ -39,7 +39,7 @@ bool FunctionLowering::Enter(SourceRange range) {
   return false;
 }
 
-void FunctionLowering::TooDeep(const TypedExpr& expr) { Enter(RangeOf(expr)); }
+void FunctionLowering::TooDeep(const TypedExpr& expr) { Enter(RangeOf(expr), kMaxLoweringDepth); }
 
 // --- The function
 // ------------------------------------------------------------------------------------------------
@@ -189,8 +189,10 @@ std::optional<FunctionLowering::Values> FunctionLowering::MakeCall(
     operands.push_back(fields_[static_cast<size_t>(own - function_.file->fields.begin())]);
   }
   operands.insert(operands.end(), arguments.begin(), arguments.end());
+  if (!Enter(RangeOf(expr), kCallDepth)) return std::nullopt;
   const Lowered& lowered =
       lowering_.Function(*callee.file, callee.function, callee.gen_type, values, RangeOf(expr));
+  Leave(kCallDepth);
   if (!lowered.id) {
     failed_ = true;
     return std::nullopt;
@@ -264,7 +266,7 @@ void FunctionLowering::LowerStmt(const TypedStmt& stmt) {
     case TypedStmtKind::kReturn:
       break;
   }
-  --depth_;
+  Leave();
 }
 
 void FunctionLowering::LowerAssign(const TypedStmt& stmt) {

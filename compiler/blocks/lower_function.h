@@ -45,7 +45,9 @@ class FunctionLowering : public ExpressionLowering {
     return {function_.file->source, expr.begin, expr.end};
   }
   void AddParameters(std::span<const ir::ConstId> values);
-  bool Enter(SourceRange range);
+  // Takes `units` of the depth until Leave; false, and reported, if there are no more.
+  bool Enter(SourceRange range, uint32_t units = kStatementDepth);
+  void Leave(uint32_t units = kStatementDepth) { depth_ -= units; }
 
   // Slots
   void Set(uint32_t slot, ir::ValueId value);

@@ -46,7 +46,7 @@ FunctionLowering::Values FunctionLowering::LowerToEnd(Rest rest) {
     }
     if (!Enter(stmt.range)) return {};
     Values results = LowerEarlyReturn(stmt, rest);
-    --depth_;
+    Leave();
     return results;
   }
   return {};
@@ -131,7 +131,7 @@ void FunctionLowering::LowerFlagged(const List& list, size_t at) {
       Branch(
           Get(DoneSlot()), [] {}, [&] { LowerFlagged(list, at + 1); });
     }
-    --depth_;
+    Leave();
     return;
   }
 }

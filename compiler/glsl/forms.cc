@@ -167,7 +167,10 @@ bool Forms::MayInline(ValueId v) const {
     return false;
   RegionId home = uses_.RegionOf(v);
   bool ends_region = (uses_.Flags(v) & kResultUse) && uses_.Place(v) == home;
-  if (!compact_ && function_.NameOf(v) && !(ends_region && home != function_.body)) return false;
+  // What a region hands on, or an out parameter gets, is written straight there. What is returned
+  // keeps its name.
+  bool assigned = ends_region && (home != function_.body || (uses_.Flags(v) & kOutUse));
+  if (!compact_ && function_.NameOf(v) && !assigned) return false;
   return (ends_region || lengths_[v.index] <= kMaxLength) && MayMove(v);
 }
 

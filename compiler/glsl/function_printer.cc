@@ -101,6 +101,11 @@ void FunctionPrinter::PrintBlock(std::string_view name) {
   if (ir::OriginId id = function_.origin) {
     const ir::Origin& origin = module_.origins[id.index];
     line_ = "// ";
+    std::string_view own = function_.display_name;
+    if (!origin.block.empty() && !own.starts_with(origin.block)) {
+      AppendComment(own, line_);
+      line_ += ", of ";
+    }
     AppendComment(origin.block.empty() ? origin.node : origin.block, line_);
     if (!origin.source.empty()) {
       line_ += " (";
@@ -233,13 +238,19 @@ bool FunctionPrinter::HasDeclarationsBefore(size_t position) const {
          plan_.variables[all[next_declared_]].declared_at <= position;
 }
 
-// Variables of one type share a declaration.
 void FunctionPrinter::DeclareBefore(size_t position) {
   const std::vector<VariableId>& all = plan_.variables.DeclaredBefore();
+  std::vector<VariableId> here;
+  for (; HasDeclarationsBefore(position); ++next_declared_) here.push_back(all[next_declared_]);
+  DeclareTogether(here);
+}
+
+// Variables without a value; those of one type share a declaration.
+void FunctionPrinter::DeclareTogether(const std::vector<VariableId>& variables) {
   std::vector<std::pair<TypeId, std::string>> lines;
-  for (; HasDeclarationsBefore(position); ++next_declared_) {
-    TypeId type = plan_.variables[all[next_declared_]].type;
-    std::string_view name = NameVariable(all[next_declared_]);
+  for (VariableId v : variables) {
+    TypeId type = plan_.variables[v].type;
+    std::string_view name = NameVariable(v);
     auto line = std::ranges::find(lines, type, [](const auto& l) { return l.first; });
     if (line == lines.end() || module_.types.Kind(type) == ir::TypeKind::kArray) {
       lines.emplace_back(type, names_.Declaration(type, name));
@@ -291,20 +302,22 @@ void FunctionPrinter::PrintCall(const Statement& statement, size_t position) {
     if (!arguments.empty()) arguments += ", ";
     expressions_.Append(operand, Precedence::kConditional, arguments);
   }
-  for (uint32_t r = 0; r < callee.results.size(); ++r) {
+  const bool has_return = callee.results[0].name.empty();
+  std::vector<VariableId> declared;
+  for (uint32_t r = has_return; r < callee.results.size(); ++r) {
     VariableId variable = plan_.variables.OfResult(v, r);
-    if (!variable) continue;
-    bool returned = r == 0 && callee.results[0].name.empty();
-    bool declares = Declares(variable, position);
-    if (declares) NameVariable(variable);
-    std::string name(expressions_.NameOf(variable));
-    std::string declaration = declares ? names_.Declaration(callee.results[r].type, name) : name;
-    if (returned) {
-      line = declaration + " = ";
-      continue;
-    }
-    if (declares) out_.Line(declaration + ";");
-    arguments += (arguments.empty() ? "" : ", ") + name;
+    if (Declares(variable, position)) declared.push_back(variable);
+  }
+  DeclareTogether(declared);
+  for (uint32_t r = has_return; r < callee.results.size(); ++r) {
+    if (!arguments.empty()) arguments += ", ";
+    arguments += expressions_.NameOf(plan_.variables.OfResult(v, r));
+  }
+  if (VariableId returned = has_return ? plan_.variables.OfResult(v, 0) : VariableId()) {
+    bool declares = Declares(returned, position);
+    std::string_view name = declares ? NameVariable(returned) : expressions_.NameOf(returned);
+    line = declares ? names_.Declaration(callee.results[0].type, name) : std::string(name);
+    line += " = ";
   }
   out_.Line(line + names_.Function(FunctionId(inst.aux)) + "(" + arguments + ");");
 }

@@ -48,6 +48,7 @@ class FunctionPrinter {
   bool Declares(VariableId v, size_t position) const;
   bool HasDeclarationsBefore(size_t position) const;
   void DeclareBefore(size_t position);
+  void DeclareTogether(const std::vector<VariableId>& variables);
   std::string IfLine(ValueId branch) const;
   void OpenScope();
   void CloseScope();

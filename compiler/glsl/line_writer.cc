@@ -37,8 +37,8 @@ size_t BreakAt(std::string_view text, size_t room) {
     int strength = text[i] == ' ' ? Strength(text, i) : 0;
     if (strength == 0) continue;
     strength += 8 * depth;
-    // The first half of a line is too soon, unless nothing else will do.
-    bool soon = best == std::string_view::npos || best < room / 2;
+    // The first third of a line is too soon, unless nothing else will do.
+    bool soon = best == std::string_view::npos || best < room / 3;
     if (soon || strength <= best_strength) {
       best = i;
       best_strength = strength;

@@ -258,8 +258,9 @@ void ShaderPrinter::PrintConstants() {
       if (!plan_.functions[f]->uses.IsWritten(ValueId(i)) || names_.HasArray(id)) continue;
       if (!titled) Section("Constants");
       titled = true;
-      NameId name = function.NameOf(ValueId(i));
-      names_.DeclareArray(id, name ? module_.Name(name) : "table");
+      auto name = module_.constant_names.find(id);
+      bool named = name != module_.constant_names.end();
+      names_.DeclareArray(id, named ? module_.Name(name->second) : "table");
       out_.Line("const " + names_.Declaration(inst.type, names_.Array(id)) + " = " + Literal(id) +
                 ";");
     }

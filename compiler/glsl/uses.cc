@@ -102,7 +102,12 @@ void Uses::CountUses() {
   counts_.assign(function_.insts.size(), 0);
   places_.resize(function_.insts.size());
   flags_.assign(function_.insts.size(), 0);
-  for (ValueId v : function_.Body().results) Use(v, function_.body, kResultUse);
+  const std::vector<ValueId>& results = function_.Body().results;
+  bool is_main = &function_ == &module_[module_.main];
+  for (size_t i = 0; i < results.size(); ++i) {
+    bool returned = results.size() == 1 || (i == 0 && function_.results[0].name.empty());
+    Use(results[i], function_.body, is_main || returned ? kResultUse : kResultUse | kOutUse);
+  }
   for (size_t i = function_.insts.size(); i-- > 0;) {
     ValueId v(i);
     bool written = first_slot_[i] != kNoSlot || counts_[i] > 0;

@@ -44,6 +44,7 @@ enum UseFlag : uint8_t {
   kLazyUse = 1,     // a place that is perhaps not evaluated: the sides of ?:, the right of &&
   kResultUse = 2,   // a region's result
   kIndexedUse = 4,  // the array of a kIndex
+  kOutUse = 8,      // a function's result that is an out parameter
 };
 
 class Uses {

@@ -223,9 +223,11 @@ std::optional<CheckedGraph> CheckGraph(const Graph& graph, const std::vector<Set
                                        Diagnostics& diagnostics) {
   size_t errors_before = diagnostics.error_count();
   auto checked = GraphChecker(graph, library, module, diagnostics).Check(settings);
-  if (!checked || diagnostics.error_count() > errors_before) return std::nullopt;
+  if (diagnostics.error_count() > errors_before) return std::nullopt;
+  // A block that was reported before this call stops it as well.
+  if (!checked && diagnostics.HasErrors()) return std::nullopt;
   auto is_whole = [&](const CheckedSubgraph& subgraph) { return IsWhole(*checked, subgraph); };
-  if (!is_whole(checked->main) || !std::ranges::all_of(checked->functions, is_whole)) {
+  if (!checked || !is_whole(checked->main) || !std::ranges::all_of(checked->functions, is_whole)) {
     diagnostics.Error(DiagnosticKind::kInternal, graph.range, "a mistake of this graph got lost");
     return std::nullopt;
   }

@@ -128,6 +128,8 @@ class Module {
   std::deque<Function> functions;  // callees before callers
   std::vector<Global> globals;
   std::vector<Origin> origins;
+  // What authors called their constant arrays, which shaders write once and name.
+  std::unordered_map<ConstId, NameId> constant_names;
   FunctionId main;
 
   ConstId Intern(TypeId type, std::span<const uint32_t> words);

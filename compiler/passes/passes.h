@@ -20,7 +20,7 @@ bool BuildModule(const graph::CheckedGraph& graph, blocks::Library& library, ir:
 bool Specialize(ir::Module& module, bool fold, SourceRange where, Diagnostics& diagnostics);
 
 // The same meaning with never more operations: folds, applies the algebraic rules, merges equal values, drops what nothing
-// uses, unused parameters and results of functions included. Idempotent.
+// uses, globals and unused parameters and results of functions included. Functions and globals get new ids. Idempotent.
 void Simplify(ir::Module& module);
 
 // Replaces dx and dy, and gives every sample whose coordinate is not plainly continuous an explicit gradient. Afterwards dfdx

@@ -28,10 +28,15 @@ struct TestName {
   ValueTest test;
 };
 constexpr TestName kTests[] = {
-    {"const", ValueTest::kConst},       {"reciprocal", ValueTest::kReciprocal},
-    {"negative", ValueTest::kNegative}, {"power_of_two", ValueTest::kPowerOfTwo},
-    {"shift", ValueTest::kShift},       {"nonnegative", ValueTest::kNonnegative},
-    {"integral", ValueTest::kIntegral}, {"float_integer", ValueTest::kFloatInteger},
+    {"const", ValueTest::kConst},
+    {"reciprocal", ValueTest::kReciprocal},
+    {"negative", ValueTest::kNegative},
+    {"wrapping", ValueTest::kWrapping},
+    {"power_of_two", ValueTest::kPowerOfTwo},
+    {"shift", ValueTest::kShift},
+    {"nonnegative", ValueTest::kNonnegative},
+    {"integral", ValueTest::kIntegral},
+    {"float_integer", ValueTest::kFloatInteger},
 };
 
 Op OpNamed(std::string_view name) {

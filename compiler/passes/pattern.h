@@ -32,6 +32,7 @@ enum class ValueTest : uint8_t {
   kReciprocal,  // a float constant whose reciprocal is exact and folds: a power of two, or minus
                 // one
   kNegative,    // a constant with every component below zero, but none the least int
+  kWrapping,    // a uint constant at most 2^16 below 2^32: to add it is to subtract
   kPowerOfTwo,  // a uint constant, each component a power of two
   kShift,  // an integer constant from 0 to 15: two of them together still shift by less than 32
   kNonnegative,   // never below zero; it may be NaN

@@ -35,6 +35,8 @@ bool WordPasses(ValueTest test, TypeId type, uint32_t word) {
     case ValueTest::kNegative:
       if (ir::IsFloat(type)) return Folds(type, word) && std::bit_cast<float>(word) < 0;
       return ir::IsInteger(type) && ir::ScalarOf(type) == Scalar::kInt && word > 0x80000000u;
+    case ValueTest::kWrapping:
+      return ir::IsInteger(type) && ir::ScalarOf(type) == Scalar::kUint && word >= 0xffff0000u;
     case ValueTest::kPowerOfTwo:
       return ir::IsInteger(type) && ir::ScalarOf(type) == Scalar::kUint &&
              std::has_single_bit(word);

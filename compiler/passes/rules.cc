@@ -132,6 +132,7 @@ bool IsConstant(const PatternNode& node) {
     case ValueTest::kConst:
     case ValueTest::kReciprocal:
     case ValueTest::kNegative:
+    case ValueTest::kWrapping:
     case ValueTest::kPowerOfTwo:
     case ValueTest::kShift:
       return true;

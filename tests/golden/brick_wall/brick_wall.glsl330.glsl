@@ -46,18 +46,15 @@ void brick_grid(vec2 uv, vec2 uv_dx, vec2 uv_dy, out Tile tile, out vec2 tile_lo
   uint row_bits = hash(uint(row) + hash(0u));
   float x_dx = uv_dx.x * 5.0;
   float x_dy = uv_dy.x * 5.0;
-  float product = 0.08 * (float(hash(row_bits + 4294967295u) >> 8u) * 5.9604645e-8);
+  float product = 0.08 * (float(hash(row_bits - 1u) >> 8u) * 5.9604645e-8);
   float x = uv.x * 5.0 + 0.5 * float(row & 1) + product;
   float left = floor(x);
   int column = int(left);
   column = wrap_cell(column, 5);
-  vec2 tile_local_dx2 = vec2(x_dx, y_dx);
-  vec2 tile_local_dy2 = vec2(x_dy, y_dy);
   uint hash_value = hash(uint(column) + row_bits);
-  Tile tile2 = Tile(ivec2(column, row), vec2(x - left, y - bottom), vec2(0.2, 0.1), hash_value);
-  tile = tile2;
-  tile_local_dx = tile_local_dx2;
-  tile_local_dy = tile_local_dy2;
+  tile = Tile(ivec2(column, row), vec2(x - left, y - bottom), vec2(0.2, 0.1), hash_value);
+  tile_local_dx = vec2(x_dx, y_dx);
+  tile_local_dy = vec2(x_dy, y_dy);
 }
 
 // color_ramp (color/color_ramp.glsl)
@@ -68,7 +65,7 @@ vec4 color_ramp(float position) {
   return mix(color, vec4(1.5, 1.5, 1.3, 1.0), clamp((position - 0.6) / 0.39999998, 0.0, 1.0));
 }
 
-// layer (layers/layer.glsl)
+// coverage, of layer (layers/layer.glsl)
 float coverage(vec2 q, vec2 cell_in_q, vec2 local, vec2 q_dx, vec2 q_dy, vec2 local_dx,
     vec2 local_dy) {
   vec2 density = 1.0 / clamp(sqrt(q_dx * q_dx + q_dy * q_dy), vec2(1e-5), cell_in_q);
@@ -83,12 +80,12 @@ float coverage(vec2 q, vec2 cell_in_q, vec2 local, vec2 q_dx, vec2 q_dy, vec2 lo
 void layer_brick_layer(Tile tile, vec3 tint, vec2 tile_local_dx, vec2 tile_local_dy, out vec4 color,
     out Tile inner, out vec2 inner_local_dx, out vec2 inner_local_dy) {
   uint seed = hash(tile.seed);
-  uint hash_value = hash(seed + 4294967294u);
+  uint hash_value = hash(seed - 2u);
   vec2 turn = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
   float size = mix(0.97, 1.03, turn.x);
   float angle = mix(-1.2, 1.2, turn.y) * 0.017453292;
   vec2 across = vec2(tile.size.y, -tile.size.x) / tile.size;
-  uint hash_value2 = hash(seed + 4294967295u);
+  uint hash_value2 = hash(seed - 1u);
   vec2 product = vec2(float(hash_value2 & 65535u), float(hash_value2 >> 16u)) * 1.5258789e-5;
   vec2 p = tile.local - mix(vec2(0.485, 0.48), vec2(0.515, 0.52), product);
   float shrink = 1.0 / size;
@@ -97,13 +94,11 @@ void layer_brick_layer(Tile tile, vec3 tint, vec2 tile_local_dx, vec2 tile_local
   vec2 q = point * p + (product2 * p.yx + 0.5);
   vec2 q_dx = point * tile_local_dx + product2 * tile_local_dx.yx;
   vec2 q_dy = point * tile_local_dy + product2 * tile_local_dy.yx;
-  Tile inner2 = Tile(tile.cell, q, size * tile.size, seed);
   vec4 color2 = textureGrad(brick, q, q_dx, q_dy);
   float coverage_value = coverage(q, vec2(shrink), tile.local, q_dx, q_dy, tile_local_dx,
       tile_local_dy);
-  color2 = vec4(color2.xyz * tint, color2.w * coverage_value);
-  color = color2;
-  inner = inner2;
+  color = vec4(color2.xyz * tint, color2.w * coverage_value);
+  inner = Tile(tile.cell, q, size * tile.size, seed);
   inner_local_dx = q_dx;
   inner_local_dy = q_dy;
 }
@@ -111,12 +106,12 @@ void layer_brick_layer(Tile tile, vec3 tint, vec2 tile_local_dx, vec2 tile_local
 // layer (layers/layer.glsl)
 vec4 layer_soot_layer(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
   uint seed = hash(tile.seed + 1u);
-  uint hash_value = hash(seed + 4294967294u);
+  uint hash_value = hash(seed - 2u);
   vec2 turn = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
   float size = mix(0.8, 1.5, turn.x);
   float angle = mix(-8.0, 8.0, turn.y) * 0.017453292;
   vec2 across = vec2(tile.size.y, -tile.size.x) / tile.size;
-  uint hash_value2 = hash(seed + 4294967295u);
+  uint hash_value2 = hash(seed - 1u);
   vec2 product = vec2(float(hash_value2 & 65535u), float(hash_value2 >> 16u)) * 1.5258789e-5;
   vec2 p = tile.local - mix(vec2(0.1, 0.4), vec2(0.9, 0.7), product);
   float shrink = 1.0 / size;
@@ -126,7 +121,7 @@ vec4 layer_soot_layer(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
   vec2 q_dx = point * tile_local_dx + product2 * tile_local_dx.yx;
   vec2 q_dy = point * tile_local_dy + product2 * tile_local_dy.yx;
   vec4 color = textureGrad(soot, q, q_dx, q_dy);
-  uint hash_value3 = hash(seed + 4294967293u);
+  uint hash_value3 = hash(seed - 3u);
   vec2 luck = vec2(float(hash_value3 & 65535u), float(hash_value3 >> 16u)) * 1.5258789e-5;
   color = luck.y >= 0.7 ? vec4(color.xyz, 0.0) : color;
   float coverage_value = coverage(q, vec2(shrink), tile.local, q_dx, q_dy, tile_local_dx,
@@ -138,14 +133,14 @@ vec4 layer_soot_layer(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
 // layer (layers/layer.glsl)
 vec4 layer_moss_layer(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
   uint seed = hash(tile.seed + 2u);
-  uint hash_value = hash(seed + 4294967294u);
+  uint hash_value = hash(seed - 2u);
   vec2 turn = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
   float size = mix(0.4, 1.0, turn.x);
   float angle = mix(-180.0, 180.0, turn.y) * 0.017453292;
   float side = min(tile.size.x, tile.size.y);
   vec2 along = tile.size / side;
   vec2 across = vec2(tile.size.y, -tile.size.x) / side;
-  uint hash_value2 = hash(seed + 4294967295u);
+  uint hash_value2 = hash(seed - 1u);
   vec2 product = vec2(float(hash_value2 & 65535u), float(hash_value2 >> 16u)) * 1.5258789e-5;
   vec2 p = tile.local - mix(vec2(0.1, 0.3), vec2(0.9, 0.55), product);
   float shrink = 1.0 / size;
@@ -155,7 +150,7 @@ vec4 layer_moss_layer(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
   vec2 q_dx = product2 * tile_local_dx + product3 * tile_local_dx.yx;
   vec2 q_dy = product2 * tile_local_dy + product3 * tile_local_dy.yx;
   vec4 color = textureGrad(moss, q, q_dx, q_dy);
-  uint hash_value3 = hash(seed + 4294967293u);
+  uint hash_value3 = hash(seed - 3u);
   vec2 luck = vec2(float(hash_value3 & 65535u), float(hash_value3 >> 16u)) * 1.5258789e-5;
   color = luck.y >= 0.35 ? vec4(color.xyz, 0.0) : color;
   float coverage_value = coverage(q, along * shrink, tile.local, q_dx, q_dy, tile_local_dx,
@@ -189,8 +184,7 @@ void brick_wall(vec2 uv, out vec4 color, out float roughness) {
   vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
   // grid: brick_grid
   Tile grid;
-  vec2 grid_local_dx;
-  vec2 grid_local_dy;
+  vec2 grid_local_dx, grid_local_dy;
   brick_grid(uv, uv_dx, uv_dy, grid, grid_local_dx, grid_local_dy);
   // bed: tiled_image
   vec4 bed = texture(mortar, uv * 3.0);
@@ -209,8 +203,7 @@ void brick_wall(vec2 uv, out vec4 color, out float roughness) {
   // brick_layer: layer
   vec4 brick_layer_color;
   Tile brick_layer_inner;
-  vec2 brick_layer_inner_local_dx;
-  vec2 brick_layer_inner_local_dy;
+  vec2 brick_layer_inner_local_dx, brick_layer_inner_local_dy;
   layer_brick_layer(grid, brick_tint, grid_local_dx, grid_local_dy, brick_layer_color,
       brick_layer_inner, brick_layer_inner_local_dx, brick_layer_inner_local_dy);
   // soot_layer: layer

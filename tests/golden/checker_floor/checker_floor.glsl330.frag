@@ -54,13 +54,10 @@ void brick_grid(vec2 uv, vec2 uv_dx, vec2 uv_dy, out Tile tile, out vec2 tile_lo
   float x_dy = uv_dy.x * 8.0;
   float left = floor(x);
   int column = int(left);
-  vec2 tile_local_dx2 = vec2(x_dx, y_dx);
-  vec2 tile_local_dy2 = vec2(x_dy, y_dy);
   uint hash_value = hash(uint(column) + row_bits);
-  Tile tile2 = Tile(ivec2(column, row), vec2(x - left, y - bottom), vec2(0.125), hash_value);
-  tile = tile2;
-  tile_local_dx = tile_local_dx2;
-  tile_local_dy = tile_local_dy2;
+  tile = Tile(ivec2(column, row), vec2(x - left, y - bottom), vec2(0.125), hash_value);
+  tile_local_dx = vec2(x_dx, y_dx);
+  tile_local_dy = vec2(x_dy, y_dy);
 }
 
 // uv_transform (images/uv_transform.glsl)
@@ -95,7 +92,7 @@ float value_noise(vec2 uv, vec2 scale, int seed, vec2 uv_dx, vec2 uv_dy) {
   return mix(mix(low, high, fade.y), 0.5, blur);
 }
 
-// mortar (tiles/mortar.glsl)
+// brick_integral, of mortar (tiles/mortar.glsl)
 vec2 brick_integral(vec2 p, vec2 joint) {
   vec2 turns = floor(p);
   vec2 difference = 1.0 - 2.0 * joint;
@@ -119,14 +116,12 @@ void main() {
   vec4 slab = checker(uv, light, dark, uv_dx, uv_dy);
   // grid: brick_grid
   Tile grid;
-  vec2 grid_local_dx;
-  vec2 grid_local_dy;
+  vec2 grid_local_dx, grid_local_dy;
   brick_grid(uv, uv_dx, uv_dy, grid, grid_local_dx, grid_local_dy);
   // tone: tile_random
   float tone = mix(0.75, 1.1, float(hash(grid.seed) >> 8u) * 5.9604645e-8);
   // tilted: uv_transform
-  vec2 tilted_dx;
-  vec2 tilted_dy;
+  vec2 tilted_dx, tilted_dy;
   vec2 tilted = uv_transform(uv, uv_dx, uv_dy, tilted_dx, tilted_dy);
   // coarse: value_noise
   float coarse = value_noise(tilted, vec2(34.0), 3, tilted_dx, tilted_dy);

@@ -39,13 +39,10 @@ void brick_grid_grid_1(vec2 uv, vec2 uv_dx, vec2 uv_dy, out Tile tile, out vec2 
   float x = uv.x * 9.0 + 0.5 * float(row & 1);
   float left = floor(x);
   int column = int(left);
-  vec2 tile_local_dx2 = vec2(x_dx, y_dx);
-  vec2 tile_local_dy2 = vec2(x_dy, y_dy);
   uint hash_value = hash(uint(column) + row_bits);
-  Tile tile2 = Tile(ivec2(column, row), vec2(x - left, y - bottom), vec2(0.11111111), hash_value);
-  tile = tile2;
-  tile_local_dx = tile_local_dx2;
-  tile_local_dy = tile_local_dy2;
+  tile = Tile(ivec2(column, row), vec2(x - left, y - bottom), vec2(0.11111111), hash_value);
+  tile_local_dx = vec2(x_dx, y_dx);
+  tile_local_dy = vec2(x_dy, y_dy);
 }
 
 // brick_grid (tiles/brick_grid.glsl)
@@ -61,18 +58,14 @@ void brick_grid_grid_2(vec2 uv, int rows, int columns, int seed, vec2 uv_dx, vec
   float value2 = float(columns);
   float x_dx = uv_dx.x * value2;
   float x_dy = uv_dy.x * value2;
-  float x = uv.x * value2 + 0.5 * float(row & 1) + float(hash(row_bits + 4294967295u) >> 8u)
-      * 5.9604645e-8;
+  float x = uv.x * value2 + 0.5 * float(row & 1) + float(hash(row_bits - 1u) >> 8u) * 5.9604645e-8;
   float left = floor(x);
   int column = int(left);
-  vec2 tile_local_dx2 = vec2(x_dx, y_dx);
-  vec2 tile_local_dy2 = vec2(x_dy, y_dy);
   vec2 ratio = 1.0 / vec2(value2, value);
   uint hash_value = hash(uint(column) + row_bits);
-  Tile tile2 = Tile(ivec2(column, row), vec2(x - left, y - bottom), ratio, hash_value);
-  tile = tile2;
-  tile_local_dx = tile_local_dx2;
-  tile_local_dy = tile_local_dy2;
+  tile = Tile(ivec2(column, row), vec2(x - left, y - bottom), ratio, hash_value);
+  tile_local_dx = vec2(x_dx, y_dx);
+  tile_local_dy = vec2(x_dy, y_dy);
 }
 
 // random3 (random/random3.glsl)
@@ -93,7 +86,7 @@ float circle(vec2 uv, float radius, vec2 uv_dx, vec2 uv_dy) {
   return clamp((radius - from_center) / width + 0.5, 0.0, 1.0);
 }
 
-// layer (layers/layer.glsl)
+// coverage, of layer (layers/layer.glsl)
 float coverage(vec2 q, vec2 cell_in_q, vec2 local, vec2 q_dx, vec2 q_dy, vec2 local_dx,
     vec2 local_dy) {
   vec2 density = 1.0 / clamp(sqrt(q_dx * q_dx + q_dy * q_dy), vec2(1e-5), cell_in_q);
@@ -107,12 +100,12 @@ float coverage(vec2 q, vec2 cell_in_q, vec2 local, vec2 q_dx, vec2 q_dy, vec2 lo
 // layer (layers/layer.glsl)
 vec4 layer_sheet_1(Tile tile, vec3 tint, vec2 tile_local_dx, vec2 tile_local_dy) {
   uint seed = hash(tile.seed);
-  uint hash_value = hash(seed + 4294967294u);
+  uint hash_value = hash(seed - 2u);
   vec2 turn = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
   float size = mix(0.5, 0.75, turn.x);
   float angle = 360.0 * turn.y * 0.017453292;
   vec2 across = vec2(tile.size.y, -tile.size.x) / tile.size;
-  uint hash_value2 = hash(seed + 4294967295u);
+  uint hash_value2 = hash(seed - 1u);
   vec2 product = vec2(float(hash_value2 & 65535u), float(hash_value2 >> 16u)) * 1.5258789e-5;
   vec2 p = tile.local - mix(vec2(0.4), vec2(0.6), product);
   float shrink = 1.0 / size;
@@ -132,12 +125,12 @@ vec4 layer_sheet_1(Tile tile, vec3 tint, vec2 tile_local_dx, vec2 tile_local_dy)
 vec4 layer_sheet_2(Tile tile, vec2 position_min, vec2 position_max, vec2 scale, vec3 tint,
     vec2 tile_local_dx, vec2 tile_local_dy) {
   uint seed = hash(tile.seed);
-  uint hash_value = hash(seed + 4294967294u);
+  uint hash_value = hash(seed - 2u);
   vec2 turn = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
   float size = mix(scale.x, scale.y, turn.x);
   float angle = 360.0 * turn.y * 0.017453292;
   vec2 across = vec2(tile.size.y, -tile.size.x) / tile.size;
-  uint hash_value2 = hash(seed + 4294967295u);
+  uint hash_value2 = hash(seed - 1u);
   vec2 product = vec2(float(hash_value2 & 65535u), float(hash_value2 >> 16u)) * 1.5258789e-5;
   vec2 p = tile.local - mix(position_min, position_max, product);
   float shrink = 1.0 / size;
@@ -148,7 +141,7 @@ vec4 layer_sheet_2(Tile tile, vec2 position_min, vec2 position_max, vec2 scale, 
   vec2 q_dy = point * tile_local_dy + product2 * tile_local_dy.yx;
   float difference = circle(q, 0.45, q_dx, q_dy) - circle(q, 0.12, q_dx, q_dy);
   vec3 product3 = mix(0.75, 1.0, clamp(q.y, 0.0, 1.0)) * tint;
-  uint hash_value3 = hash(seed + 4294967293u);
+  uint hash_value3 = hash(seed - 3u);
   vec2 luck = vec2(float(hash_value3 & 65535u), float(hash_value3 >> 16u)) * 1.5258789e-5;
   float coverage_value = coverage(q, vec2(shrink), tile.local, q_dx, q_dy, tile_local_dx,
       tile_local_dy);
@@ -167,18 +160,15 @@ void main() {
   vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
   // grid_1: brick_grid
   Tile grid_1;
-  vec2 grid_1_local_dx;
-  vec2 grid_1_local_dy;
+  vec2 grid_1_local_dx, grid_1_local_dy;
   brick_grid_grid_1(uv, uv_dx, uv_dy, grid_1, grid_1_local_dx, grid_1_local_dy);
   // grid_2: brick_grid
   Tile grid_2;
-  vec2 grid_2_local_dx;
-  vec2 grid_2_local_dy;
+  vec2 grid_2_local_dx, grid_2_local_dy;
   brick_grid_grid_2(uv, 14, 14, 2, uv_dx, uv_dy, grid_2, grid_2_local_dx, grid_2_local_dy);
   // grid_3: brick_grid
   Tile grid_3;
-  vec2 grid_3_local_dx;
-  vec2 grid_3_local_dy;
+  vec2 grid_3_local_dx, grid_3_local_dy;
   brick_grid_grid_2(uv, 20, 20, 3, uv_dx, uv_dy, grid_3, grid_3_local_dx, grid_3_local_dy);
   // color_1: tile_random_color
   vec3 color_1 = mix(vec3(0.5, 0.05, 0.02), vec3(1.0, 0.55, 0.2), random3(grid_1.seed));

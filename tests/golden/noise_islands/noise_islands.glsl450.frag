@@ -69,7 +69,7 @@ float remap_depth(float value, float in_high) {
   return t;
 }
 
-// color_ramp (color/color_ramp.glsl)
+// progress, of color_ramp (color/color_ramp.glsl)
 float progress(float position) {
   float t = clamp(position, 0.0, 1.0);
   return t * t * (3.0 - 2.0 * t);
@@ -99,20 +99,16 @@ float threshold(float value, float edge, float value_dx, float value_dy) {
 void main() {
   vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
   // lands: value_noise
-  float lands_dx;
-  float lands_dy;
+  float lands_dx, lands_dy;
   float lands = value_noise(uv, vec2(4.0), uv_dx, uv_dy, lands_dx, lands_dy);
   // hills: value_noise
-  float hills_dx;
-  float hills_dy;
+  float hills_dx, hills_dy;
   float hills = value_noise(uv, vec2(9.0), uv_dx, uv_dy, hills_dx, hills_dy);
   // rocks: value_noise
-  float rocks_dx;
-  float rocks_dy;
+  float rocks_dx, rocks_dy;
   float rocks = value_noise(uv, vec2(21.0), uv_dx, uv_dy, rocks_dx, rocks_dy);
   // stones: value_noise
-  float stones_dx;
-  float stones_dy;
+  float stones_dx, stones_dy;
   float stones = value_noise(uv, vec2(50.0), uv_dx, uv_dy, stones_dx, stones_dy);
   // coarse: lerp
   float coarse = mix(lands, hills, 0.35);

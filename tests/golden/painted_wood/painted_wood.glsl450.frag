@@ -44,14 +44,10 @@ void brick_grid(vec2 uv, vec2 uv_dx, vec2 uv_dy, out Tile tile, out vec2 tile_lo
   float x = uv.x * 7.0 + 0.37 * float(row & 1);
   float left = floor(x);
   int column = int(left);
-  vec2 tile_local_dx2 = vec2(x_dx, y_dx);
-  vec2 tile_local_dy2 = vec2(x_dy, y_dy);
   uint hash_value = hash(uint(column) + row_bits);
-  Tile tile2 = Tile(ivec2(column, row), vec2(x - left, y - bottom), vec2(0.14285715, 0.5),
-      hash_value);
-  tile = tile2;
-  tile_local_dx = tile_local_dx2;
-  tile_local_dy = tile_local_dy2;
+  tile = Tile(ivec2(column, row), vec2(x - left, y - bottom), vec2(0.14285715, 0.5), hash_value);
+  tile_local_dx = vec2(x_dx, y_dx);
+  tile_local_dy = vec2(x_dy, y_dy);
 }
 
 // uv_transform (images/uv_transform.glsl)
@@ -104,7 +100,7 @@ float smooth_step(float value, float low, float high) {
   return t * t * (3.0 - 2.0 * t);
 }
 
-// mortar (tiles/mortar.glsl)
+// brick_integral, of mortar (tiles/mortar.glsl)
 vec2 brick_integral(vec2 p, vec2 joint) {
   vec2 turns = floor(p);
   vec2 difference = 1.0 - 2.0 * joint;
@@ -126,8 +122,7 @@ void main() {
   vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
   // board: brick_grid
   Tile board;
-  vec2 board_local_dx;
-  vec2 board_local_dy;
+  vec2 board_local_dx, board_local_dy;
   brick_grid(uv, uv_dx, uv_dy, board, board_local_dx, board_local_dy);
   // shift_x: tile_random
   float shift_x = float(hash(board.seed + 1u) >> 8u) * 5.9604645e-8;
@@ -136,8 +131,7 @@ void main() {
   // shift: combine2
   vec2 shift = vec2(shift_x, shift_y);
   // turned: uv_transform
-  vec2 turned_dx;
-  vec2 turned_dy;
+  vec2 turned_dx, turned_dy;
   vec2 turned = uv_transform_turned(uv, uv_dx, uv_dy, turned_dx, turned_dy);
   // board_uv: add
   vec2 board_uv = turned + shift;
@@ -156,8 +150,7 @@ void main() {
   // paint_color: multiply
   vec4 paint_color = paint * paint_tone;
   // tilted: uv_transform
-  vec2 tilted_dx;
-  vec2 tilted_dy;
+  vec2 tilted_dx, tilted_dy;
   vec2 tilted = uv_transform_tilted(uv, uv_dx, uv_dy, tilted_dx, tilted_dy);
   // patches: value_noise
   float patches = value_noise(tilted, vec2(9.0, 7.0), 1, tilted_dx, tilted_dy);

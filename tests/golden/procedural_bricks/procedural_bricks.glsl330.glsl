@@ -31,17 +31,14 @@ void brick_grid(vec2 uv, vec2 uv_dx, vec2 uv_dy, out Tile tile, out vec2 tile_lo
   uint row_bits = hash(uint(row) + hash(3u));
   float x_dx = uv_dx.x * 5.0;
   float x_dy = uv_dy.x * 5.0;
-  float product = 0.1 * (float(hash(row_bits + 4294967295u) >> 8u) * 5.9604645e-8);
+  float product = 0.1 * (float(hash(row_bits - 1u) >> 8u) * 5.9604645e-8);
   float x = uv.x * 5.0 + 0.5 * float(row & 1) + product;
   float left = floor(x);
   int column = int(left);
-  vec2 tile_local_dx2 = vec2(x_dx, y_dx);
-  vec2 tile_local_dy2 = vec2(x_dy, y_dy);
   uint hash_value = hash(uint(column) + row_bits);
-  Tile tile2 = Tile(ivec2(column, row), vec2(x - left, y - bottom), vec2(0.2, 0.1), hash_value);
-  tile = tile2;
-  tile_local_dx = tile_local_dx2;
-  tile_local_dy = tile_local_dy2;
+  tile = Tile(ivec2(column, row), vec2(x - left, y - bottom), vec2(0.2, 0.1), hash_value);
+  tile_local_dx = vec2(x_dx, y_dx);
+  tile_local_dy = vec2(x_dy, y_dy);
 }
 
 // random3 (random/random3.glsl)
@@ -106,7 +103,7 @@ vec4 brick_face(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
   return face;
 }
 
-// layer (layers/layer.glsl)
+// coverage, of layer (layers/layer.glsl)
 float coverage(vec2 q, vec2 cell_in_q, vec2 local, vec2 q_dx, vec2 q_dy, vec2 local_dx,
     vec2 local_dy) {
   vec2 density = 1.0 / clamp(sqrt(q_dx * q_dx + q_dy * q_dy), vec2(1e-5), cell_in_q);
@@ -121,7 +118,7 @@ float coverage(vec2 q, vec2 cell_in_q, vec2 local, vec2 q_dx, vec2 q_dy, vec2 lo
 void layer_brick(Tile tile, vec3 tint, vec2 tile_local_dx, vec2 tile_local_dy, out vec4 color,
     out Tile inner, out vec2 inner_local_dx, out vec2 inner_local_dy) {
   uint seed = hash(tile.seed);
-  uint hash_value = hash(seed + 4294967294u);
+  uint hash_value = hash(seed - 2u);
   vec2 turn = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
   float size = mix(0.97, 1.02, turn.x);
   float angle = mix(-1.5, 1.5, turn.y) * 0.017453292;
@@ -133,13 +130,11 @@ void layer_brick(Tile tile, vec3 tint, vec2 tile_local_dx, vec2 tile_local_dy, o
   vec2 q = point * p + (product * p.yx + 0.5);
   vec2 q_dx = point * tile_local_dx + product * tile_local_dx.yx;
   vec2 q_dy = point * tile_local_dy + product * tile_local_dy.yx;
-  Tile inner2 = Tile(tile.cell, q, size * tile.size, seed);
   vec4 color2 = brick_face(q, q_dx, q_dy);
   float coverage_value = coverage(q, vec2(shrink), tile.local, q_dx, q_dy, tile_local_dx,
       tile_local_dy);
-  color2 = vec4(color2.xyz * tint, color2.w * coverage_value);
-  color = color2;
-  inner = inner2;
+  color = vec4(color2.xyz * tint, color2.w * coverage_value);
+  inner = Tile(tile.cell, q, size * tile.size, seed);
   inner_local_dx = q_dx;
   inner_local_dy = q_dy;
 }
@@ -160,14 +155,14 @@ float circle(vec2 uv, float radius, vec2 uv_dx, vec2 uv_dy) {
 // layer (layers/layer.glsl)
 vec4 layer_lime(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
   uint seed = hash(tile.seed + 1u);
-  uint hash_value = hash(seed + 4294967294u);
+  uint hash_value = hash(seed - 2u);
   vec2 turn = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
   float size = mix(0.3, 0.9, turn.x);
   float angle = 360.0 * turn.y * 0.017453292;
   float side = min(tile.size.x, tile.size.y);
   vec2 along = tile.size / side;
   vec2 across = vec2(tile.size.y, -tile.size.x) / side;
-  uint hash_value2 = hash(seed + 4294967295u);
+  uint hash_value2 = hash(seed - 1u);
   vec2 product = vec2(float(hash_value2 & 65535u), float(hash_value2 >> 16u)) * 1.5258789e-5;
   vec2 p = tile.local - mix(vec2(0.1, 0.2), vec2(0.9, 0.8), product);
   float shrink = 1.0 / size;
@@ -179,7 +174,7 @@ vec4 layer_lime(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
   float circle_value = circle(q, mix(0.08, 0.5, value_noise(q, vec2(7.0), 9, q_dx, q_dy)), q_dx,
       q_dy);
   vec4 color = vec4(0.62, 0.58, 0.52, circle_value);
-  uint hash_value3 = hash(seed + 4294967293u);
+  uint hash_value3 = hash(seed - 3u);
   vec2 luck = vec2(float(hash_value3 & 65535u), float(hash_value3 >> 16u)) * 1.5258789e-5;
   color = luck.y >= 0.5 ? vec4(0.62, 0.58, 0.52, 0.0) : color;
   float coverage_value = coverage(q, along * shrink, tile.local, q_dx, q_dy, tile_local_dx,
@@ -206,8 +201,7 @@ void procedural_bricks(vec2 uv, out vec4 color, out float height) {
   vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
   // grid: brick_grid
   Tile grid;
-  vec2 grid_local_dx;
-  vec2 grid_local_dy;
+  vec2 grid_local_dx, grid_local_dy;
   brick_grid(uv, uv_dx, uv_dy, grid, grid_local_dx, grid_local_dy);
   // shade: tile_random_color
   vec3 shade = mix(vec3(0.75, 0.8, 0.8), vec3(1.4, 1.05, 1.0), random3(grid.seed));
@@ -216,8 +210,7 @@ void procedural_bricks(vec2 uv, out vec4 color, out float height) {
   // brick: layer
   vec4 brick_color;
   Tile brick_inner;
-  vec2 brick_inner_local_dx;
-  vec2 brick_inner_local_dy;
+  vec2 brick_inner_local_dx, brick_inner_local_dy;
   layer_brick(grid, tint, grid_local_dx, grid_local_dy, brick_color, brick_inner,
       brick_inner_local_dx, brick_inner_local_dy);
   // lime: layer

@@ -41,14 +41,10 @@ void brick_grid(vec2 uv, vec2 uv_dx, vec2 uv_dy, out Tile tile, out vec2 tile_lo
   float x = uv.x * 4.0 + 0.5 * float(row & 1);
   float left = floor(x);
   int column = int(left);
-  vec2 tile_local_dx2 = vec2(x_dx, y_dx);
-  vec2 tile_local_dy2 = vec2(x_dy, y_dy);
   uint hash_value = hash(uint(column) + row_bits);
-  Tile tile2 = Tile(ivec2(column, row), vec2(x - left, y - bottom), vec2(0.25, 0.16666667),
-      hash_value);
-  tile = tile2;
-  tile_local_dx = tile_local_dx2;
-  tile_local_dy = tile_local_dy2;
+  tile = Tile(ivec2(column, row), vec2(x - left, y - bottom), vec2(0.25, 0.16666667), hash_value);
+  tile_local_dx = vec2(x_dx, y_dx);
+  tile_local_dy = vec2(x_dy, y_dy);
 }
 
 // color_ramp (color/color_ramp.glsl)
@@ -86,7 +82,7 @@ float smooth_step(float value) {
   return t * t * (3.0 - 2.0 * t);
 }
 
-// mortar (tiles/mortar.glsl)
+// brick_integral, of mortar (tiles/mortar.glsl)
 vec2 brick_integral(vec2 p, vec2 joint) {
   vec2 turns = floor(p);
   vec2 difference = 1.0 - 2.0 * joint;
@@ -108,8 +104,7 @@ void main() {
   vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
   // grid: brick_grid
   Tile grid;
-  vec2 grid_local_dx;
-  vec2 grid_local_dy;
+  vec2 grid_local_dx, grid_local_dy;
   brick_grid(uv, uv_dx, uv_dy, grid, grid_local_dx, grid_local_dy);
   // hue: tile_random
   float hue = float(hash(grid.seed) >> 8u) * 5.9604645e-8;

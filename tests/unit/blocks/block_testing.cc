@@ -101,8 +101,9 @@ std::vector<uint32_t> Bits(const std::vector<float>& values) {
   return bits;
 }
 
-std::vector<std::vector<uint32_t>> Run(const ir::Module& module, ir::FunctionId function,
-                                       const std::vector<std::vector<uint32_t>>& arguments) {
+std::vector<std::vector<uint32_t>> RunFunction(
+    const ir::Module& module, ir::FunctionId function,
+    const std::vector<std::vector<uint32_t>>& arguments) {
   EXPECT_EQ(ir::Verify(module), "");
   ir::EvaluateInputs inputs;
   std::vector<std::vector<uint32_t>> lanes;

@@ -64,7 +64,7 @@ std::vector<uint32_t> Bits(const std::vector<float>& values);
 
 // Runs a function on values: arguments[i] holds the words of the i-th parameter for one lane. The
 // results, words for one lane. Fails the test if the module is not well formed.
-std::vector<std::vector<uint32_t>> Run(const ir::Module& module, ir::FunctionId function,
-                                       const std::vector<std::vector<uint32_t>>& arguments);
+std::vector<std::vector<uint32_t>> RunFunction(const ir::Module& module, ir::FunctionId function,
+                                               const std::vector<std::vector<uint32_t>>& arguments);
 
 }  // namespace texgraph::blocks

@@ -114,5 +114,104 @@ TEST(EmbeddedLibrary, IsPlainGlsl) {
   ADD_FAILURE() << std::string((std::istreambuf_iterator<char>(log)), {});
 }
 
+TEST(UserFolders, ShadowTheLibraryAndEachOther) {
+  TemporaryFolder first, second;
+  std::string own =
+      first.Write("mine/deep/add.glsl", "float add(float a, float b) { return a - b; }\n");
+  first.Write("twice.glsl", "float twice(float a) { return 2.0 * a; }\n");
+  second.Write("twice.glsl", "float twice(float a) { return 3.0 * a; }\n");
+  second.Write("mine/thrice.glsl", "float thrice(float a) { return 3.0 * a; }\n");
+  second.Write("mine/not_asked_for.glsl", "float (");
+  second.Write("mine/1abc.glsl", "float x() { return 1.0; }");
+  second.Write("mine/notes.txt", "none");
+  ir::Module module;
+  Sources sources;
+  Diagnostics diagnostics;
+  Library library(module, sources, diagnostics, {first.path(), second.path()});
+  EXPECT_TRUE(library.Exists("add"));
+  EXPECT_TRUE(library.Exists("subtract"));
+  EXPECT_TRUE(library.Exists("thrice"));
+  EXPECT_FALSE(library.Exists("types"));
+  EXPECT_FALSE(library.Exists("1abc"));
+  EXPECT_FALSE(library.Exists("../twice"));
+  EXPECT_EQ(library.Find("nothing"), nullptr);
+  EXPECT_EQ(library.Find("types"), nullptr);
+  EXPECT_THAT(library.FilesRead(), IsEmpty());
+  const Block* add = library.Find("add");
+  ASSERT_NE(add, nullptr);
+  EXPECT_EQ(add->overloads.size(), 1u);
+  EXPECT_EQ(add->path, "mine/deep/add.glsl");
+  EXPECT_EQ(add->family, "mine/deep");
+  EXPECT_EQ(sources.Name(add->range.source), own);
+  ir::FunctionId twice =
+      library.Function(*library.Find("twice"), library.Find("twice")->overloads[0], {});
+  EXPECT_EQ(RunFunction(module, twice, {{Bits(1.0f)}})[0][0], Bits(2.0f));
+  ASSERT_NE(library.Find("thrice"), nullptr);
+  EXPECT_EQ(library.Find("thrice"), library.Find("thrice"));
+  ASSERT_NE(library.Find("subtract"), nullptr);
+  EXPECT_EQ(library.Find("subtract")->path, "math/subtract.glsl");
+  EXPECT_THAT(library.FilesRead(),
+              ElementsAre(own, first.path() + "/twice.glsl", second.path() + "/mine/thrice.glsl"));
+  std::vector<std::string_view> names = library.Names();
+  EXPECT_TRUE(std::ranges::is_sorted(names));
+  EXPECT_EQ(std::ranges::count(names, "add"), 1);
+  EXPECT_EQ(std::ranges::count(names, "types"), 0);
+  EXPECT_EQ(std::ranges::count(names, "thrice"), 1);
+  EXPECT_EQ(diagnostics.all().size(), 0u);
+  // What is wrong is reported once.
+  EXPECT_EQ(library.Find("not_asked_for"), nullptr);
+  size_t errors = diagnostics.error_count();
+  EXPECT_GT(errors, 0u);
+  EXPECT_EQ(library.Find("not_asked_for"), nullptr);
+  EXPECT_EQ(diagnostics.error_count(), errors);
+}
+
+// Links, pipes and folders with a block's name are not opened; neither is what is too large.
+TEST(UserFolders, HoldPlainFilesOnly) {
+  TemporaryFolder folder, elsewhere;
+  std::string text = "float away(float a) { return a; }\n";
+  fs::create_symlink(elsewhere.Write("away.glsl", text), folder.path() + "/away.glsl");
+  fs::create_directory_symlink(elsewhere.path(), folder.path() + "/linked");
+  fs::create_directory_symlink(folder.path(), folder.path() + "/loop");
+  ASSERT_EQ(mkfifo((folder.path() + "/pipe.glsl").c_str(), 0600), 0);
+  fs::create_directory(folder.path() + "/folder.glsl");
+  folder.Write("large.glsl", "float large(float a) { return a; } //" + std::string(1 << 20, ' '));
+  folder.Write("a/same.glsl", text);
+  folder.Write("b/same.glsl", text);
+  std::string deep = folder.path();
+  for (int i = 0; i < 30; ++i) deep += "/d";
+  fs::create_directories(deep);
+  std::ofstream(deep + "/deep.glsl") << text;
+  ir::Module module;
+  Sources sources;
+  Diagnostics diagnostics;
+  Library library(module, sources, diagnostics, {folder.path()});
+  for (std::string_view name : {"away", "pipe", "folder", "deep"}) {
+    EXPECT_FALSE(library.Exists(name)) << name;
+    EXPECT_EQ(library.Find(name), nullptr) << name;
+  }
+  EXPECT_EQ(diagnostics.all().size(), 0u);
+  EXPECT_EQ(library.Find("large"), nullptr);
+  ASSERT_EQ(diagnostics.all().size(), 1u);
+  EXPECT_EQ(diagnostics.all()[0].kind, DiagnosticKind::kSizeLimit);
+  EXPECT_EQ(library.Find("same"), nullptr);
+  ASSERT_EQ(diagnostics.all().size(), 2u);
+  EXPECT_EQ(diagnostics.all()[1].kind, DiagnosticKind::kBlockName);
+  EXPECT_THAT(diagnostics.all()[1].message,
+              HasSubstr("block 'same' is in two files of one folder"));
+}
+
+TEST(UserFolders, ThatAreNotThereAreReported) {
+  ir::Module module;
+  Sources sources;
+  Diagnostics diagnostics;
+  Library library(module, sources, diagnostics, {"/no/such\x1b/folder"});
+  ASSERT_EQ(diagnostics.all().size(), 1u);
+  EXPECT_EQ(diagnostics.all()[0].severity, Severity::kWarning);
+  EXPECT_EQ(diagnostics.all()[0].kind, DiagnosticKind::kCannotRead);
+  EXPECT_THAT(diagnostics.all()[0].message, Not(HasSubstr("\x1b")));
+  EXPECT_NE(library.Find("add"), nullptr);
+}
+
 }  // namespace
 }  // namespace texgraph::blocks

@@ -57,7 +57,7 @@ void Check(const Case& test_case) {
     for (const Floats& values : test_case.arguments) {
       Floats expected = test_case.expected(values), seen;
       std::vector<std::vector<uint32_t>> results =
-          Run(test.module, id, WordsOf(test.module, function, values));
+          RunFunction(test.module, id, WordsOf(test.module, function, values));
       for (size_t i = 0; i < results.size(); ++i) {
         bool is_float = ir::IsFloat(function.results[i].type);
         for (uint32_t word : results[i]) {

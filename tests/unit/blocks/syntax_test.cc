@@ -179,9 +179,9 @@ TEST(BlockLimits, Nesting) {
     for (size_t i = 0; i < depth; ++i) text += close;
     return ReportOf(text + " return a; }");
   };
-  EXPECT_EQ(nested(150, "{ ", "a = 1.0;", "}"), "");
+  EXPECT_EQ(nested(90, "{ ", "a = 1.0;", "}"), "");
   std::string sum = "a = a";
-  for (int i = 0; i < 150; ++i) sum += " + a";
+  for (int i = 0; i < 90; ++i) sum += " + a";
   EXPECT_EQ(Body(sum + "; return a;"), "");
   for (int i = 0; i < 100; ++i) sum += " + a";
   EXPECT_THAT(Body(sum + "; return a;"), HasSubstr("nested too deeply"));

@@ -140,7 +140,7 @@ struct Tile2 {
   vec2 local;
 };
 
-// noise_value (noise/noise_value.glsl)
+// layer, of noise_value (noise/noise_value.glsl)
 vec4 layer_block(vec2 uv, float layer, float step2, Tile2 tile, out float layer2) {
   vec2 uv2 = uv * 2.0;
   vec4 b = textureLod(brick, uv2, step(layer, length(uv2)) * step2);
@@ -148,7 +148,7 @@ vec4 layer_block(vec2 uv, float layer, float step2, Tile2 tile, out float layer2
   return b;
 }
 
-// noise_value (noise/noise_value.glsl)
+// layer, of noise_value (noise/noise_value.glsl)
 float layer_block2(vec2 uv) {
   return length(uv) * Tile;
 }

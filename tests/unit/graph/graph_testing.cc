@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <ctime>
 #include <utility>
 
 #include "compiler/base/text.h"
@@ -78,6 +79,8 @@ ReadText::ReadText(std::string text, DocumentFormat format, std::string name)
 ReadGraphText::ReadGraphText(std::string text, DocumentFormat format, std::string name)
     : source(sources.Add(std::move(name), std::move(text))),
       graph(ReadGraph(source, format, sources, diagnostics)) {}
+
+double CpuSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 std::string TreeText(const Document& document) {
   std::string out;

@@ -45,6 +45,9 @@ struct ReadGraphText {
   std::optional<Graph> graph;
 };
 
+// The processor's time that the program has taken. Waiting for a busy machine does not count.
+double CpuSeconds();
+
 // A document as text, so that trees can be compared: {"a": [1, 0.5, "x", true, null]}. Integers are
 // written without, other numbers with a '.' or an exponent.
 std::string TreeText(const Document& document);

@@ -104,6 +104,11 @@ TEST_F(PatternTest, ScalarsAndTests) {
   EXPECT_TRUE(passes(ValueTest::kPowerOfTwo, builder_.Uint(64)));
   EXPECT_FALSE(passes(ValueTest::kPowerOfTwo, builder_.Uint(0)));
   EXPECT_FALSE(passes(ValueTest::kPowerOfTwo, builder_.Int(64)));
+  EXPECT_TRUE(passes(ValueTest::kNegative, builder_.Int(-7)));
+  EXPECT_FALSE(passes(ValueTest::kNegative, builder_.Int(INT32_MIN))) << "it is its own negative";
+  EXPECT_FALSE(passes(ValueTest::kNegative, two(-1, 0)));
+  EXPECT_TRUE(passes(ValueTest::kWrapping, builder_.Uint(0xffffffffu)));
+  EXPECT_FALSE(passes(ValueTest::kWrapping, builder_.Uint(0x9e3779b9u))) << "a hash's constant";
   EXPECT_TRUE(passes(ValueTest::kShift, builder_.Int(15)));
   EXPECT_FALSE(passes(ValueTest::kShift, builder_.Int(16)));
   EXPECT_FALSE(passes(ValueTest::kShift, builder_.Int(-1)));

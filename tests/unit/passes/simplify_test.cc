@@ -3,9 +3,12 @@
 #include "compiler/passes/simplify.h"
 
 #include <gtest/gtest.h>
+#include <pthread.h>
 
 #include <string>
+#include <utility>
 
+#include "compiler/ir/builder.h"
 #include "compiler/ir/print.h"
 #include "compiler/ir/verify.h"
 #include "tests/unit/ir/module_text.h"
@@ -406,6 +409,44 @@ TEST(Simplify, FixPointThroughManyCalls) {
   EXPECT_EQ(once.find("%k"), std::string::npos);
   EXPECT_EQ(once.find("tan"), std::string::npos);
   EXPECT_EQ(Simplified(once), once);
+}
+
+// A chain of 50,000 operations, on a stack of 256 kB: nothing recurses along it. Every second
+// operation can be simplified away, and the last rule applies only when those before it did.
+ir::Module LongChain() {
+  ir::Module module;
+  ir::GlobalId input = module.AddGlobal({ir::GlobalKind::kInput, "a", ir::kFloat, {}});
+  ir::Function function;
+  function.name = "main";
+  {
+    ir::Builder builder(module, function, {.fold = false});
+    ir::ValueId v = builder.Global(input);
+    for (int i = 0; i < 25000; ++i) {
+      v = builder.Op2(ir::Op::kMul, v, builder.Float(1));
+      v = i % 2 ? builder.Op1(ir::Op::kSin, v)
+                : builder.Op1(ir::Op::kNeg, builder.Op1(ir::Op::kNeg, v));
+    }
+    builder.Return({{v}});
+  }
+  module.functions.push_back(std::move(function));
+  module.main = ir::FunctionId(0);
+  return module;
+}
+
+TEST(Simplify, LongChainsNeedNoStack) {
+  ir::Module module = LongChain();
+  pthread_attr_t attributes;
+  ASSERT_EQ(pthread_attr_init(&attributes), 0);
+  ASSERT_EQ(pthread_attr_setstacksize(&attributes, 256 * 1024), 0);
+  pthread_t thread;
+  auto run = [](void* data) -> void* {
+    Simplify(*static_cast<ir::Module*>(data));
+    return nullptr;
+  };
+  ASSERT_EQ(pthread_create(&thread, &attributes, run, &module), 0);
+  ASSERT_EQ(pthread_join(thread, nullptr), 0);
+  pthread_attr_destroy(&attributes);
+  EXPECT_EQ(module[module.main].Body().body.size(), 12501u);  // the input, and the sines
 }
 
 }  // namespace
