@@ -19,11 +19,13 @@ namespace texgraph {
 namespace {
 
 // Every file of every texture must be an image that can be read, and the layers of one array equally large.
-void CheckTextures(const graph::Graph& graph, const std::string& folder, Diagnostics& diagnostics) {
+void CheckTextures(const graph::Graph& graph, const std::string& folder, const std::vector<std::string>& root_folders,
+                   Diagnostics& diagnostics) {
+  const Roots roots(root_folders, diagnostics);
   for (const graph::Texture& texture : graph.textures) {
     std::optional<textures::ImageInfo> first;
     for (size_t i = 0; i < texture.files.size(); ++i) {
-      auto info = textures::ProbeImage(JoinPath(folder, texture.files[i]), texture.file_ranges[i], diagnostics);
+      auto info = textures::ProbeImage(JoinPath(folder, texture.files[i]), texture.file_ranges[i], diagnostics, roots);
       if (!info) continue;
       if (!first) first = info;
       if (info->width == first->width && info->height == first->height) continue;
@@ -85,7 +87,7 @@ std::optional<Lowered> Lower(SourceId source, graph::DocumentFormat format, cons
   lowered.library = std::make_unique<blocks::Library>(module, sources, diagnostics, options.block_folders,
                                                       options.optimize);
   auto checked = graph::CheckGraph(*lowered.graph, settings, *lowered.library, module, diagnostics);
-  CheckTextures(*lowered.graph, std::string(FolderOf(sources.Name(source))), diagnostics);
+  CheckTextures(*lowered.graph, std::string(FolderOf(sources.Name(source))), options.roots, diagnostics);
   if (!checked || diagnostics.HasErrors()) return std::nullopt;
   lowered.checked = std::make_unique<graph::CheckedGraph>(std::move(*checked));
 

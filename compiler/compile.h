@@ -29,6 +29,7 @@ struct CompileOptions {
   bool optimize = true;                  // off: neither folds nor simplifies, for the tests
   std::vector<std::string> block_folders;  // -I
   std::vector<std::string> settings;     // "name=value", --set
+  std::vector<std::string> roots;        // --root: images are read from inside these folders only; none: from anywhere
   // Print the IR after each of these phases into Compiled::dump: "build", "specialize", "simplify", "differentiate",
   // "legalize", or "all".
   std::vector<std::string> dump_after;

@@ -7,14 +7,15 @@
 namespace texgraph::runtime {
 
 bool LoadTextures(const Manifest& manifest, const std::string& folder,
-                  std::vector<TextureBinding>& textures, Diagnostics& diagnostics) {
+                  std::vector<TextureBinding>& textures, Diagnostics& diagnostics,
+                  const Roots& roots) {
   bool all = true;
   std::set<std::string_view> variables;
   for (const ManifestTexture& texture : manifest.textures) {
     if (!texture.is_used || !variables.insert(texture.variable).second) continue;
     std::vector<textures::Image> layers;
     for (const std::string& file : texture.files) {
-      auto image = textures::ReadImage(JoinPath(folder, file), texture.place, diagnostics);
+      auto image = textures::ReadImage(JoinPath(folder, file), texture.place, diagnostics, roots);
       if (image) layers.push_back(std::move(*image));
     }
     if (layers.size() != texture.files.size()) {

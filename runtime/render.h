@@ -84,9 +84,10 @@ RenderResult Render(const RenderRequest& request);
 // The same for many in as few processes as can be; a failure concerns its own request only.
 std::vector<RenderResult> RenderAll(std::span<const RenderRequest> requests);
 
-// Reads the images that the manifest's used textures name, relative to `folder`. False with what is
-// wrong in `diagnostics`.
+// Reads the images that the manifest's used textures name, relative to `folder`, from inside
+// `roots`. False with what is wrong in `diagnostics`.
 bool LoadTextures(const Manifest& manifest, const std::string& folder,
-                  std::vector<TextureBinding>& textures, Diagnostics& diagnostics);
+                  std::vector<TextureBinding>& textures, Diagnostics& diagnostics,
+                  const Roots& roots = {});
 
 }  // namespace texgraph::runtime

@@ -34,6 +34,7 @@ Picture
 Graph
   --set NAME=VALUE      give a parameter another value; may be repeated
   -I FOLDER             look for blocks in FOLDER before the library; may be repeated
+  --root FOLDER         read images, and a manifest's shader, from inside FOLDER only; may be repeated
   --target TARGET       glsl330 (default) or glsl450
 
 Driver

@@ -39,6 +39,12 @@ bool ReadShaderFile(const graph::Document& document, const RenderOptions& option
   if (shader.manifest.dialect == runtime::ShaderDialect::kSpirv)
     return true;  // refused later, with a reason
   const std::string path = JoinPath(shader.folder, shader.manifest.shader);
+  if (!Roots(options.compile.roots, diagnostics).Contain(path)) {
+    diagnostics.Error(
+        DiagnosticKind::kOutsideRoot, {},
+        fmt::format("shader '{}' is outside of the folders that --root allows", Printable(path)));
+  }
+  if (diagnostics.HasErrors()) return false;
   auto text = ReadFile(path, kMaxShaderBytes, {}, diagnostics);
   if (!text) return false;
   shader.text = std::move(*text);
@@ -146,7 +152,8 @@ void RunRender(const RenderOptions& options, Sources& sources, Diagnostics& diag
   if (!LoadShader(options, sources, shader, diagnostics)) return;
   if (!CheckOutput(options.output, shader, diagnostics)) return;
   std::vector<runtime::TextureBinding> textures;
-  if (!runtime::LoadTextures(shader.manifest, shader.folder, textures, diagnostics)) return;
+  const Roots roots(options.compile.roots, diagnostics);
+  if (!runtime::LoadTextures(shader.manifest, shader.folder, textures, diagnostics, roots)) return;
   runtime::RenderRequest request = RequestFor(options, shader);
   request.textures = std::move(textures);
   runtime::RenderResult result = runtime::Render(request);

@@ -32,9 +32,9 @@ constexpr std::string_view kTargets[] = {"glsl330", "glsl450"};
 constexpr std::string_view kContexts[] = {"auto", "egl", "osmesa"};
 constexpr std::string_view kColors[] = {"auto", "always", "never"};
 constexpr std::string_view kBits[] = {"8", "16"};
-constexpr std::string_view kLongOptions[] = {"--size",    "--uv",      "--output", "--bits",
-                                             "--time",    "--set",     "--help",   "--target",
-                                             "--context", "--timeout", "--color",  "--version"};
+constexpr std::string_view kLongOptions[] = {
+    "--size", "--uv",     "--output",  "--bits",    "--root",  "--time",   "--set",
+    "--help", "--target", "--context", "--timeout", "--color", "--version"};
 
 void Usage(Diagnostics& diagnostics, std::string message) {
   diagnostics.Error(DiagnosticKind::kUsage, {}, std::move(message))
@@ -134,6 +134,7 @@ void Declare(CLI::App& app, RenderOptions& options, Raw& raw) {
   text("--color", raw.color);
   list("--set", options.compile.settings);
   list("-I", options.compile.block_folders);
+  list("--root", options.compile.roots);
   app.add_flag("-q", options.quiet);
   app.add_flag("-h,--help", raw.help);
   app.add_option("inputs", raw.inputs);

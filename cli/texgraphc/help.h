@@ -23,6 +23,7 @@ Output
 
 Input
   -I FOLDER             look for blocks in FOLDER before the library; may be repeated
+  --root FOLDER         read images from inside FOLDER only, wherever the graph says they are; may be repeated
   --format FORMAT       json, jsonc or yaml, whatever the file's name says
 
 Dependencies

@@ -44,7 +44,7 @@ constexpr auto kPhases = std::to_array<Word<int>>({{"build", 0},
 constexpr auto kSingleDash = std::to_array<std::pair<std::string_view, std::string_view>>(
     {{"-MD", "--MD"}, {"-MF", "--MF"}, {"-MT", "--MT"}, {"-Werror", "--Werror"}});
 constexpr auto kLongOptions = std::to_array<std::string_view>(
-    {"--manifest", "--target", "--emit", "--set", "--format", "--color", "--dump-after",
+    {"--manifest", "--target", "--emit", "--set", "--root", "--format", "--color", "--dump-after",
      "--list-blocks", "--print-reference", "--help", "--version", "-Werror"});
 
 // The texts of the options that CLI11 only collects.
@@ -96,6 +96,7 @@ void Declare(CLI::App& app, Options& options, Raw& raw) {
   list("--set", options.compile.settings);
   text("-j", raw.jobs);
   list("-I", options.compile.block_folders);
+  list("--root", options.compile.roots);
   text("--format", raw.format);
   app.add_flag("--MD", options.write_dependencies);
   text("--MF", options.dependency_file);

@@ -221,7 +221,7 @@ std::string PrintReference(const Options& options, Sources& sources, Diagnostics
   ir::Module module;
   blocks::Library library(module, sources, diagnostics, options.compile.block_folders);
   const blocks::Block* block = library.Find(options.reference);
-  if (block != nullptr) return Printer(module, *block).Print();
+  if (block != nullptr && library.CheckBodies(*block)) return Printer(module, *block).Print();
   if (!diagnostics.HasErrors()) {
     diagnostics.Error(DiagnosticKind::kUnknownBlock, {},
                       fmt::format("there is no block '{}'{}", Printable(options.reference),

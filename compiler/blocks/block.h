@@ -95,6 +95,9 @@ class Library {
   // something is wrong with these values, a loop too long, say (reported).
   ir::FunctionId Function(const Block& block, const Overload& overload,
                           std::span<const ir::ConstId> template_values);
+  // Checks the bodies of all functions in the block's file, and of what they call; Function() looks
+  // only at those that are used. False if something is wrong (reported).
+  bool CheckBodies(const Block& block);
   // Paths of the files outside the program that were read, for dependency files.
   const std::vector<std::string>& FilesRead() const;
 

@@ -70,9 +70,14 @@ TypeId ResolveType(Program& program, File& file, const TypeName& name, TypeId ge
     if (!constant) return {};
     length = program.module.Words(constant)[0];
   }
-  if (length == 0 || length > kMaxArrayLength) {
+  if (auto number = static_cast<int32_t>(length); number < 1) {
+    program.diagnostics.Error(DiagnosticKind::kBlockConstant, range,
+                              "an array has at least one element, and its length is written");
+    return {};
+  }
+  if (length > kMaxArrayLength) {
     program.diagnostics.Error(DiagnosticKind::kSizeLimit, range,
-                              "an array has 1 to 1024 elements, and its length is written");
+                              "an array has at most 1024 elements");
     return {};
   }
   if (uint64_t{length} * types.Words(element) > kMaxTypeWords) {

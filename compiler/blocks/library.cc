@@ -213,6 +213,20 @@ ir::FunctionId Library::Function(const Block& block, const Overload& overload,
       .id;
 }
 
+bool Library::CheckBodies(const Block& block) {
+  size_t errors = impl_->diagnostics.error_count();
+  File* file = impl_->FindFile(block.name);
+  for (uint32_t f = 0; file && f < file->functions.size(); ++f) {
+    for (const Overload& overload : block.overloads) {
+      const FunctionInfo& function = file->functions[f];
+      if (function.needs_gen_type && !overload.gen_type) continue;
+      if (!function.is_block || overload.function == f)
+        impl_->lowering.CheckReachable(*file, f, overload.gen_type);
+    }
+  }
+  return file && impl_->diagnostics.error_count() == errors;
+}
+
 const std::vector<std::string>& Library::FilesRead() const { return impl_->files_read; }
 
 }  // namespace texgraph::blocks

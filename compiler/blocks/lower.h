@@ -30,6 +30,8 @@ class Lowering {
   // `values`: one for each template parameter. `caller` is where the call stands, if it is one.
   const Lowered& Function(File& file, uint32_t function, ir::TypeId gen_type,
                           std::span<const ir::ConstId> values, SourceRange caller);
+  // Checks the bodies of the function and of all that it may call.
+  void CheckReachable(File& file, uint32_t function, ir::TypeId gen_type);
 
   Program& program;
   const bool fold;
@@ -45,7 +47,6 @@ class Lowering {
     auto operator<=>(const Key&) const = default;
   };
   bool Enter(const Key& key, SourceRange caller);
-  void CheckReachable(File& file, uint32_t function, ir::TypeId gen_type);
   Lowered Make(const TypedFunction& typed, std::span<const ir::ConstId> values);
   std::string UniqueName(const File& file, const FunctionInfo& info);
 

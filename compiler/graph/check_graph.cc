@@ -121,8 +121,10 @@ CheckedParameter GraphChecker::CheckParameter(const Parameter& parameter, const 
   auto read = [&](const Argument& argument) -> ir::ConstId {
     auto value = MakeLiteral(argument, checked.type, place, check_.module, check_.diagnostics);
     if (!value) return {};
-    CheckLimits(*value, limits, argument.range, place, check_.module, check_.diagnostics);
-    return *value;
+    bool good =
+        CheckLimits(*value, limits, argument.range, place, check_.module, check_.diagnostics);
+    // Without a value, the ports where it stands don't complain of it once more.
+    return good ? *value : ir::ConstId();
   };
   checked.value = read(parameter.value);
   if (setting) {

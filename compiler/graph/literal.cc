@@ -65,20 +65,6 @@ double Decode(uint32_t word, ir::Scalar scalar) {
   return std::bit_cast<float>(word);
 }
 
-// A text that other programs read as a number or a bool, and what to write instead.
-std::string_view TextHint(std::string_view text) {
-  for (std::string_view word : {"yes", "Yes", "YES", "on", "On", "ON", "True", "TRUE", "y", "Y"}) {
-    if (text == word) return "; write true";
-  }
-  for (std::string_view word :
-       {"no", "No", "NO", "off", "Off", "OFF", "False", "FALSE", "n", "N"}) {
-    if (text == word) return "; write false";
-  }
-  bool number = !text.empty() && (text[0] == '.' || text[0] == '-' || text[0] == '+' ||
-                                  (text[0] >= '0' && text[0] <= '9'));
-  return number ? "; numbers are decimal and stand without quotes" : "";
-}
-
 std::nullopt_t ReportMismatch(const Argument& argument, ir::TypeId type, const Place& place,
                               const ir::Types& types, Diagnostics& diagnostics) {
   std::string_view hint;
@@ -94,6 +80,18 @@ std::nullopt_t ReportMismatch(const Argument& argument, ir::TypeId type, const P
 size_t MatrixWord(size_t i, size_t size) { return i % size * size + i / size; }
 
 }  // namespace
+
+std::string_view TextHint(std::string_view text) {
+  for (std::string_view word : {"yes", "Yes", "YES", "on", "On", "ON", "True", "TRUE"}) {
+    if (text == word) return "; write true";
+  }
+  for (std::string_view word : {"no", "No", "NO", "off", "Off", "OFF", "False", "FALSE"}) {
+    if (text == word) return "; write false";
+  }
+  bool number = !text.empty() && std::string_view(".-+0123456789").find(text[0]) != text.npos &&
+                text.find_first_of("0123456789") != text.npos;
+  return number ? "; numbers are decimal and stand without quotes" : "";
+}
 
 std::string Place::Text() const {
   std::string text = fmt::format("{} '{}'", kind, Printable(name, 64));
@@ -145,6 +143,11 @@ std::optional<int> LiteralCost(const Argument& argument, ir::TypeId type, const 
     cost = argument.is_integer ? 1 : 0;
   } else if (!argument.is_integer) {
     return std::nullopt;
+  } else if (*scalar == ir::Scalar::kUint) {
+    // Nobody means a uint by -1 where a float can be meant.
+    for (double number : argument.numbers) {
+      if (number < 0) return std::nullopt;
+    }
   }
   if (argument.kind == Argument::Kind::kNumber) {
     if (!ir::IsVector(type)) return std::nullopt;

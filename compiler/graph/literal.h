@@ -31,6 +31,10 @@ std::string ArgumentText(const Argument& argument);
 // "12", "0.5".
 std::string NumberText(double number);
 
+// For a text that other programs read as a number or a bool, "yes" and "0x10": what to write
+// instead, to go after a message. Else "".
+std::string_view TextHint(std::string_view text);
+
 // How many conversions a literal needs to be of the type, nothing if it cannot. Looks at the kinds
 // of numbers, not at their sizes.
 std::optional<int> LiteralCost(const Argument& argument, ir::TypeId type, const ir::Types& types);

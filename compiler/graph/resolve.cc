@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "compiler/base/text.h"
+#include "compiler/graph/literal.h"
 #include "compiler/graph/subgraph_checker.h"
 
 namespace texgraph::graph {
@@ -150,6 +151,8 @@ void SubgraphChecker::ReportUnknownName(const Argument& argument, std::string_vi
       hint =
           fmt::format("; node '{}' is outside of function '{}', which could have an input for it",
                       name, subgraph_.name);
+    } else if (std::string_view text_hint = TextHint(argument.text); !text_hint.empty()) {
+      hint = text_hint;
     } else if (hint.empty() && IsIdentifier(name) && check_.library.Exists(name)) {
       hint = fmt::format("; the block '{}' needs a node", name);
     }

@@ -130,6 +130,10 @@ bool YamlReader::CheckBrackets() {
 }
 
 bool YamlReader::Read() {
+  // libfyaml takes a tab on a line of its own for a mistake.
+  if (text_.find_first_not_of(" \t\r\n", offset_) == std::string_view::npos) {
+    return Fail(DiagnosticKind::kEmptyDocument, {source_, 0, 0}, "the document is empty");
+  }
   if (!CheckBrackets()) return false;
   fy_diag_cfg diag_config;
   fy_diag_cfg_default(&diag_config);

@@ -34,15 +34,27 @@ void ReportErrno(const std::string& path, int error, SourceRange range, Diagnost
 }
 
 // Opens regular files only: opening a FIFO or a device could wait for ever or change something.
-File Open(const std::string& path, SourceRange range, Diagnostics& diagnostics) {
+File Open(const std::string& path, SourceRange range, const Roots& roots,
+          Diagnostics& diagnostics) {
   if (path.find('\0') != std::string::npos) {
     ReportErrno(path, EINVAL, range, diagnostics);
     return nullptr;
   }
+  auto refuse = [&] {
+    diagnostics.Error(
+        DiagnosticKind::kOutsideRoot, range,
+        fmt::format("image '{}' is outside of the folders that --root allows", Printable(path)));
+    return nullptr;
+  };
+  if (!roots.Contain(path)) return refuse();
   const int descriptor = open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
   if (descriptor < 0) {
     ReportErrno(path, errno, range, diagnostics);
     return nullptr;
+  }
+  if (!roots.ContainFile(descriptor)) {
+    close(descriptor);
+    return refuse();
   }
   struct stat status;
   int error = fstat(descriptor, &status) == 0 ? 0 : errno;
@@ -85,8 +97,8 @@ bool Decode(FILE* file, bool header_only, Image& image, CodecError& error) {
 }
 
 std::optional<Image> Read(const std::string& path, bool header_only, SourceRange range,
-                          Diagnostics& diagnostics) {
-  File file = Open(path, range, diagnostics);
+                          const Roots& roots, Diagnostics& diagnostics) {
+  File file = Open(path, range, roots, diagnostics);
   if (!file) return std::nullopt;
   Image image;
   CodecError error;
@@ -132,13 +144,13 @@ bool PreparePixels(bool header_only, Image& image, CodecError& error) {
 }
 
 std::optional<ImageInfo> ProbeImage(const std::string& path, SourceRange range,
-                                    Diagnostics& diagnostics) {
-  return Read(path, true, range, diagnostics);
+                                    Diagnostics& diagnostics, const Roots& roots) {
+  return Read(path, true, range, roots, diagnostics);
 }
 
-std::optional<Image> ReadImage(const std::string& path, SourceRange range,
-                               Diagnostics& diagnostics) {
-  return Read(path, false, range, diagnostics);
+std::optional<Image> ReadImage(const std::string& path, SourceRange range, Diagnostics& diagnostics,
+                               const Roots& roots) {
+  return Read(path, false, range, roots, diagnostics);
 }
 
 }  // namespace texgraph::textures

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "compiler/base/diagnostics.h"
+#include "compiler/base/roots.h"
 #include "compiler/base/source.h"
 
 namespace texgraph::textures {
@@ -36,13 +37,13 @@ struct Image : ImageInfo {
   uint32_t At(uint32_t x, uint32_t y, uint32_t channel) const;
 };
 
-// The size and format from the header alone. Reported at `range`: kMissingFile, kCannotRead (also
-// for what is no regular file), kBadImage, kSizeLimit.
+// The size and format from the header alone. Reported at `range`: kMissingFile, kOutsideRoot,
+// kCannotRead (also for what is no regular file), kBadImage, kSizeLimit.
 std::optional<ImageInfo> ProbeImage(const std::string& path, SourceRange range,
-                                    Diagnostics& diagnostics);
+                                    Diagnostics& diagnostics, const Roots& roots = {});
 // The same checks, and the whole image; kOutOfMemory too.
-std::optional<Image> ReadImage(const std::string& path, SourceRange range,
-                               Diagnostics& diagnostics);
+std::optional<Image> ReadImage(const std::string& path, SourceRange range, Diagnostics& diagnostics,
+                               const Roots& roots = {});
 
 // The image as the bytes of a PNG file: the same image gives the same bytes. Nothing if it has no
 // pixels or memory ran out.

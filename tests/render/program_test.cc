@@ -149,6 +149,35 @@ TEST_F(TexgraphTest, TheGraphAndItsShaderGiveOnePicture) {
   EXPECT_EQ(folder.Read("1.png"), folder.Read("2.png"));
 }
 
+TEST_F(TexgraphTest, RootHoldsImagesAndShadersIn) {
+  std::filesystem::create_directory(folder / "in");
+  std::filesystem::create_directory(folder / "else");
+  auto write = [&](const std::string& name, std::string text, const std::string& from,
+                   const std::string& to) {
+    text.replace(text.find(from), from.size(), to);
+    folder.Write(name, text);
+  };
+  const std::string textured =
+      R"({"texgraph": 1, "textures": {"t": {"file": "PLACE"}}, "nodes": {"n": {"block": "image",
+          "in": {"picture": "t"}}}, "outputs": {"color": "n"}})";
+  std::filesystem::copy_file(TEXGRAPH_SOURCE_DIR "/tests/diagnostics/white.png",
+                             folder / "else/white.png");
+  write("in/graph.json", textured, "PLACE", "../else/white.png");
+  write("in/made.json", kManifest, "made.frag", "../made.frag");
+  ExpectFailure({"in/graph.json", "--root", "in"}, 1, "[outside-root]");
+  ExpectFailure({"in/made.json", "--root", "in"}, 1, "[outside-root]");
+  ExpectFailure({"in/made.json", "--root", "missing"}, 3, "[cannot-read]");
+  write("in/textured.json", kManifest, "\"textures\": []",
+        R"("textures": [{"name": "t", "type": "sampler2D", "status": "used", "variable": "t",
+        "files": ["../else/white.png"], "color_space": "srgb", "filter": "linear",
+        "wrap": ["clamp", "clamp"], "mipmaps": true}])");
+  folder.Write("in/made.frag", kShader);
+  ExpectFailure({"in/textured.json", "--root", "in"}, 1, "[outside-root]");
+  for (const char* input : {"in/graph.json", "in/made.json"}) {
+    EXPECT_EQ(Run({"render", input, "--root", ".", "-o", "a.png", "--size", "2"}).exit_code, 0);
+  }
+}
+
 TEST_F(TexgraphTest, UsesStandardStreams) {
   Program program = Make({"render", "-", "-o", "-", "--size", "2"});
   program.input = kGraph;

@@ -212,11 +212,13 @@ TEST(BlockTypes, Arrays) {
   EXPECT_EQ(Expression("v.length()"),
             "2:8: only arrays have '.length()'; this is vec3 [block-type]\n");
   EXPECT_EQ(Body("float w[0]; return a;"),
-            "2:9: an array has 1 to 1024 elements, and its length is written [size-limit]\n");
+            "2:9: an array has at least one element, and its length is written [block-constant]\n");
   EXPECT_EQ(Body("float w[2147483647]; return a;"),
-            "2:9: an array has 1 to 1024 elements, and its length is written [size-limit]\n");
+            "2:9: an array has at most 1024 elements [size-limit]\n");
+  EXPECT_EQ(Body("float w[-1]; return a;"),
+            "2:9: an array has at least one element, and its length is written [block-constant]\n");
   EXPECT_EQ(Body("float w[]; return a;"),
-            "2:1: an array has 1 to 1024 elements, and its length is written [size-limit]\n");
+            "2:1: an array has at least one element, and its length is written [block-constant]\n");
   EXPECT_EQ(Body("float w[n]; return a;"), "2:9: there is no 'n' here [block-name]\n");
   EXPECT_EQ(Body("float w[a + 1.0]; return a;"), "2:9: there is no 'a' here [block-name]\n");
   EXPECT_EQ(Body("float w[1.5]; return a;"),

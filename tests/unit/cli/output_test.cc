@@ -13,6 +13,7 @@
 namespace texgraph {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StartsWith;
@@ -194,6 +195,23 @@ TEST_F(Output, WarningsCanBeSilencedOrMadeErrors) {
 TEST_F(Output, ColorsOnlyWhereTheyAreWanted) {
   EXPECT_EQ(Run({"wrong.json"}).error.find('\x1b'), std::string::npos);  // not a terminal
   EXPECT_NE(Run({"wrong.json", "--color", "always"}).error.find('\x1b'), std::string::npos);
+}
+
+// The author of a block learns of all mistakes in its bodies without a graph that uses it.
+TEST_F(Output, PrintReferenceChecksTheWholeBlock) {
+  std::filesystem::create_directory(folder / "blocks");
+  folder.Write("blocks/third_of.glsl",
+               "float inner(float x) { return y; }\n"
+               "float unused(float x) { return vec2(x); }\n"
+               "/// A third.\n/// @param x what\n"
+               "float third_of(float x) { return 0.3 * inner(x) + dFdx(x); }\n");
+  Outcome outcome = Run({"-I", "blocks", "--print-reference", "third_of"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_THAT(outcome.error,
+              AllOf(HasSubstr("third_of.glsl:1:31: error: "), HasSubstr("[block-name]"),
+                    HasSubstr("third_of.glsl:2:"), HasSubstr("[block-type]"),
+                    HasSubstr("third_of.glsl:5:51: error: "), HasSubstr("[block-subset]")));
 }
 
 TEST_F(Output, BlocksAreListedAndDescribed) {

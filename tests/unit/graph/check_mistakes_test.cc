@@ -121,7 +121,12 @@ TEST(CheckMistakes, ReferencesToNothing) {
 // What is text for YAML's core schema, but numbers and bools for other loaders.
 TEST(CheckMistakes, NumbersAndBoolsInQuotes) {
   ExpectMistakes({
-      {Ports("t_one", "\"x\": \"010\""), {"10:6 unknown-reference"}, "nothing is called '010'"},
+      {Ports("t_one", "\"x\": \"010\""),
+       {"10:6 unknown-reference"},
+       "nothing is called '010' here; numbers are decimal"},
+      {Ports("t_one", "\"x\": \"yes\""),
+       {"10:6 unknown-reference"},
+       "nothing is called 'yes' here; write true"},
       {"\"parameters\": {\"p\": {\"type\": \"int\", \"value\": \"010\"}}",
        {"2:46 bad-value"},
        "parameter 'p' takes int, got the text '010'; numbers are decimal"},
@@ -448,6 +453,19 @@ TEST(CheckMistakes, Settings) {
     EXPECT_THAT(check.Places(), ElementsAre(c.place)) << c.setting << check.Messages();
     EXPECT_THAT(check.Messages(), HasSubstr(c.message)) << c.setting;
   }
+}
+
+// A value outside of its parameter's range is one mistake, also where it is outside of a port's.
+TEST(CheckMistakes, AValueOutOfRangeIsReportedOnce) {
+  const std::string text =
+      "\"parameters\": {\"n\": {\"type\": \"int\", \"value\": 4, \"range\": [1, 8]}},\n"
+      "\"nodes\": {\"g\": {\"block\": \"t_count\", \"in\": {\"n\": \"n\"}}}";
+  CheckText setting(text, "\"height\": 0", {"n=100"});
+  EXPECT_THAT(setting.Places(), ElementsAre("1:3 value-range (2:16)")) << setting.Messages();
+  std::string wrong = text;
+  wrong.replace(wrong.find("4,"), 1, "99");
+  CheckText own(wrong, "\"height\": 0");
+  EXPECT_THAT(own.Places(), ElementsAre("2:46 value-range")) << own.Messages();
 }
 
 TEST(CheckMistakes, AllAtOnceAndNoneTwice) {

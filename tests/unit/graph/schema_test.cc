@@ -50,12 +50,16 @@ bool Validates(const ReadText& read) {
 }
 
 TEST(GraphSchema, AcceptsEveryExample) {
+  std::vector<std::filesystem::path> files;
+  for (const char* folder : {TEXGRAPH_SOURCE_DIR "/graphs", TEXGRAPH_SOURCE_DIR "/tests/graphs"}) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+      files.push_back(entry.path());
+  }
   size_t count = 0;
-  for (const auto& entry :
-       std::filesystem::recursive_directory_iterator(TEXGRAPH_SOURCE_DIR "/graphs")) {
-    std::string name = entry.path().string();
+  for (const std::filesystem::path& path : files) {
+    std::string name = path.string();
     std::set<std::string> extensions = {".json", ".jsonc", ".yaml", ".yml"};
-    if (!extensions.contains(entry.path().extension().string())) continue;
+    if (!extensions.contains(path.extension().string())) continue;
     ++count;
     std::string text = FileText(name);
     ReadText read(text, FormatOf(name, text), name);
