@@ -151,7 +151,7 @@ void Expressions::AppendLeaf(const Inst& inst, Precedence limit, std::string& ou
   if (inst.op == Op::kParam) {
     out += parameter_names_[inst.aux];
   } else if (inst.op == Op::kGlobal) {
-    out += names_.Global(GlobalId(inst.aux));
+    names_.AppendRead(GlobalId(inst.aux), out);
   } else if (names_.HasArray(ir::ConstId(inst.aux))) {
     out += names_.Array(ir::ConstId(inst.aux));
   } else {

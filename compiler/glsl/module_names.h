@@ -24,6 +24,14 @@ class ModuleNames {
 
   const std::string& Global(GlobalId id) const { return globals_[id.index]; }
   const std::string& Function(FunctionId id) const { return functions_[id.index]; }
+  // What reads the global: its name, of a bool that comes as a uint "bool(name)".
+  void AppendRead(GlobalId id, std::string& out) const {
+    bool converted = bools_are_uints_ && module_.globals[id.index].type == ir::kBool &&
+                     module_.globals[id.index].kind == ir::GlobalKind::kUniform;
+    out += converted ? "bool(" + Global(id) + ")" : Global(id);
+  }
+  // Uniforms of type bool are declared as uint: no bool comes into SPIR-V from outside.
+  void DeclareBoolsAsUints() { bools_are_uints_ = true; }
   const std::string& Shader() const { return shader_; }
   // The variable of main's i-th result: "out_color".
   const std::string& Output(size_t i) const { return outputs_[i]; }
@@ -51,6 +59,7 @@ class ModuleNames {
   std::unordered_map<TypeId, std::string> structs_;
   std::unordered_map<ir::ConstId, std::string> arrays_;
   std::unordered_map<std::string_view, GlobalId> global_by_name_;
+  bool bools_are_uints_ = false;
 };
 
 }  // namespace texgraph::glsl

@@ -40,6 +40,7 @@ class ShaderPrinter {
         out_(text_) {}
 
   std::string Print() {
+    if (options_.for_spirv) names_.DeclareBoolsAsUints();
     PlaceGlobals();
     PrintHeader();
     PrintInputs();
@@ -179,7 +180,9 @@ void ShaderPrinter::PrintParameters() {
   for (const ShaderInterface::Entry& entry : interface_.specializations) PrintSpecialization(entry);
   for (const ShaderInterface::Entry& entry : interface_.uniforms) {
     std::string line = HasLayout() ? Layout({{"location", entry.location}}) : "";
-    line += "uniform " + names_.Declaration(Global(entry).type, entry.name) + ";";
+    TypeId type = Global(entry).type;
+    if (options_.for_spirv && type == ir::kBool) type = ir::kUint;
+    line += "uniform " + names_.Declaration(type, entry.name) + ";";
     if (ir::ConstId value = Global(entry).value) line += "  // default " + Literal(value);
     out_.Line(line);
   }

@@ -21,7 +21,8 @@ struct PrintOptions {
   bool as_function = false;
   std::string name;     // of the graph: an identifier
   std::string version;  // of texgraphc, for the first comment
-  // Specialisation constants get their constant_id. Only glslang takes that, on the way to SPIR-V.
+  // Specialisation constants get their constant_id, which only glslang takes, on the way to SPIR-V;
+  // and bool uniforms become uint, since SPIR-V has no bool in memory.
   bool for_spirv = false;
 };
 

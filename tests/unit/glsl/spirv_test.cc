@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPIR-V through glslang, and what is said when a shader is none.
+#include <gmock/gmock.h>
+
 #include <string>
 
 #include "compiler/glsl/legalize.h"
@@ -70,6 +72,31 @@ TEST(CompileSpirv, MakesAModuleForOpenGl) {
     if (((*words)[i] & 0xffff) == 71 && (*words)[i + 2] == 1) ids.push_back((*words)[i + 3]);
   }
   EXPECT_EQ(ids, (std::vector<uint32_t>{0, 1}));
+}
+
+// SPIR-V has no bool that comes from outside.
+TEST(CompileSpirv, TakesBoolUniformsAsUints) {
+  ir::Module module = glsl::ModuleOf(R"(
+uniform wet: bool = true
+input uv: vec2
+function main() -> (color: vec4) {
+  %1 = extract.0 @uv : float
+  %2 = select @wet, %1, 0.5 : float
+  %3 = splat %2 : vec4
+  return %3
+}
+main main
+)");
+  Diagnostics diagnostics;
+  ASSERT_TRUE(glsl::Legalize(module, glsl::Dialect::k450, diagnostics));
+  glsl::PrintOptions options;
+  options.dialect = glsl::Dialect::k450;
+  EXPECT_THAT(glsl::PrintGlsl(module, options), testing::HasSubstr("uniform bool wet;"));
+  options.for_spirv = true;
+  const std::string shader = glsl::PrintGlsl(module, options);
+  EXPECT_THAT(shader, testing::HasSubstr("uniform uint wet;"));
+  EXPECT_THAT(shader, testing::HasSubstr("bool(wet) ?"));
+  EXPECT_TRUE(CompileSpirv(shader, diagnostics)) << FormatDiagnostics(diagnostics, Sources(), false);
 }
 
 TEST(CompileSpirv, GivesTheSameBytes) {

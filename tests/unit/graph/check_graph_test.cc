@@ -78,6 +78,11 @@ TEST(CheckGraph, IntegerPortsTakeWholeNumbers) {
   EXPECT_EQ(node(R"("v": 5, "u": 0)"), "v=5,5:ivec2 u=0:uint b=0:bool");
 }
 
+TEST(CheckGraph, NegativeNumbersAreNoUints) {
+  EXPECT_EQ(Node("t_sign", R"("a": 1)"), "a=1:uint");
+  EXPECT_EQ(Node("t_sign", R"("a": -1)"), "a=-1.0:float");
+}
+
 TEST(CheckGraph, ReferencesAreConverted) {
   EXPECT_EQ(Node("t_one", R"("x": "f")"), "x=f.0:float");
   EXPECT_EQ(Node("t_one", R"("x": "f.result")"), "x=f.0:float");

@@ -94,6 +94,11 @@ float t_cell(Tile tile) { return tile.local.x; }
 /// @param b yes or no @default false
 ivec2 t_whole(ivec2 v, uint u, bool b) { return b ? v : v * int(u); }
 )"},
+    {"t_sign", R"(/// Overloads by sign.
+/// @param a any
+float t_sign(float a) { return a; }
+uint t_sign(uint a) { return a; }
+)"},
     {"t_kind", R"(/// Overloads by type.
 /// @param a any @default 0
 int t_kind(int a) { return a; }
