@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compiler/glsl/module_names.h"
 
+#include <algorithm>
 #include <unordered_set>
 
 #include "compiler/base/text.h"
@@ -34,8 +35,28 @@ ModuleNames::ModuleNames(const ir::Module& module, const std::vector<bool>& glob
     std::string wish =
         Identifier(function.display_name.empty() ? function.name : function.display_name);
     if (local.contains(wish)) wish += "_block";
-    functions_[i] = table_.Claim(wish);
+    functions_[i] = FunctionName(FunctionId(i), wish);
   }
+}
+
+std::string ModuleNames::FunctionName(FunctionId id, const std::string& wish) {
+  // Results follow the parameters, so that parameters that differ are enough.
+  auto apart = [&](FunctionId other) {
+    const std::vector<ir::Parameter>& a = module_[id].parameters;
+    const std::vector<ir::Parameter>& b = module_[other].parameters;
+    for (size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+      if (a[i].type != b[i].type) return true;
+    }
+    return false;
+  };
+  std::vector<Overloads>& same_wish = overloads_[wish];
+  for (Overloads& overloads : same_wish) {
+    if (!std::ranges::all_of(overloads.functions, apart)) continue;
+    overloads.functions.push_back(id);
+    return overloads.name;
+  }
+  same_wish.push_back({std::string(table_.Claim(wish)), {id}});
+  return same_wish.back().name;
 }
 
 std::string ModuleNames::Type(TypeId id) const {

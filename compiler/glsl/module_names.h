@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The names at global scope: inputs, uniforms and textures keep the graph's; then come outputs,
-// structs, functions and constant arrays.
+// structs, functions and constant arrays. Functions that want one name share it, as overloads, where
+// their parameters differ.
 #pragma once
 
 #include <string>
@@ -23,7 +24,6 @@ class ModuleNames {
               const std::vector<std::string_view>& local_names, std::string_view shader_name);
 
   const std::string& Global(GlobalId id) const { return globals_[id.index]; }
-  const std::string& Function(FunctionId id) const { return functions_[id.index]; }
   // What reads the global: its name, of a bool that comes as a uint "bool(name)".
   void AppendRead(GlobalId id, std::string& out) const {
     bool converted = bools_are_uints_ && module_.globals[id.index].type == ir::kBool &&
@@ -32,6 +32,7 @@ class ModuleNames {
   }
   // Uniforms of type bool are declared as uint: no bool comes into SPIR-V from outside.
   void DeclareBoolsAsUints() { bools_are_uints_ = true; }
+  const std::string& Function(FunctionId id) const { return functions_[id.index]; }
   const std::string& Shader() const { return shader_; }
   // The variable of main's i-th result: "out_color".
   const std::string& Output(size_t i) const { return outputs_[i]; }
@@ -50,16 +51,23 @@ class ModuleNames {
   bool Hides(std::string_view name, const std::vector<bool>& globals_of_function) const;
 
  private:
+  struct Overloads {
+    std::string name;
+    std::vector<FunctionId> functions;
+  };
+  std::string FunctionName(FunctionId id, const std::string& wish);
+
   const ir::Module& module_;
   NameTable table_;
+  bool bools_are_uints_ = false;
   std::string shader_;
   std::vector<std::string> globals_;
   std::vector<std::string> outputs_;
   std::vector<std::string> functions_;
+  std::unordered_map<std::string, std::vector<Overloads>> overloads_;  // by wish
   std::unordered_map<TypeId, std::string> structs_;
   std::unordered_map<ir::ConstId, std::string> arrays_;
   std::unordered_map<std::string_view, GlobalId> global_by_name_;
-  bool bools_are_uints_ = false;
 };
 
 }  // namespace texgraph::glsl

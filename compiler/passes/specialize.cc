@@ -366,14 +366,22 @@ Specializer::Callee Specializer::Instance(FunctionId id, const std::vector<Bindi
   return {result, made_.back().is_small};
 }
 
-// A function that is alone keeps its block's name; several are told apart by the node that asked first.
+// A function that is alone keeps its block's name, and so does each of several overloads; several instances of one are told
+// apart by the node that asked first.
 void Specializer::NameInstances() {
   std::map<std::string, int> alike;
+  auto overload = [&](size_t i) {
+    std::string key = module_.functions[i].display_name;
+    for (const ir::Parameter& parameter : old_[made_[i].old.index].parameters) {
+      key += ' ' + std::to_string(parameter.type.index);
+    }
+    return key;
+  };
   for (size_t i = 0; i < made_.size(); ++i) {
-    if (!made_[i].is_small) ++alike[module_.functions[i].display_name];
+    if (!made_[i].is_small) ++alike[overload(i)];
   }
   for (size_t i = 0; i < made_.size(); ++i) {
-    if (made_[i].suffix.empty() || alike[module_.functions[i].display_name] < 2) continue;
+    if (made_[i].suffix.empty() || alike[overload(i)] < 2) continue;
     ir::Function& function = module_.functions[i];
     if (!function.display_name.ends_with("_" + made_[i].suffix)) {
       function.display_name += "_" + made_[i].suffix;

@@ -8,8 +8,9 @@
 /// @param scale how many times as large, across and up; not 0 @default vec2(1)
 /// @param pivot the point that stays where it is while turning and scaling @default vec2(0.5)
 vec2 uv_transform(vec2 uv, vec2 translate, float rotation, vec2 scale, vec2 pivot) {
-  vec2 p = uv - (pivot + translate);
   float c = cos(radians(rotation));
   float s = sin(radians(rotation));
-  return vec2(c * p.x + s * p.y, c * p.y - s * p.x) / scale + pivot;
+  vec2 shrink = 1.0 / scale;
+  mat2 turn = mat2(c * shrink.x, -s * shrink.y, s * shrink.x, c * shrink.y);
+  return turn * (uv - (pivot + translate)) + pivot;
 }

@@ -10,10 +10,11 @@
 /// @param a value of the first squares @default 0
 /// @param b value of the others @default 1
 genType checker(vec2 uv, vec2 scale, genType a, genType b) {
-  vec2 p = uv * scale;
-  vec2 width = max(footprint(p), 1e-4);
-  vec2 near = abs(fract((p - 0.5 * width) * 0.5) - 0.5);
-  vec2 far = abs(fract((p + 0.5 * width) * 0.5) - 0.5);
-  vec2 wave = 2.0 * (near - far) / width;
+  // In pairs of squares, the wave's period.
+  vec2 p = uv * (0.5 * scale);
+  vec2 width = max(footprint(uv) * abs(0.5 * scale), 5e-5);
+  vec2 near = abs(fract(p - 0.5 * width) - 0.5);
+  vec2 far = abs(fract(p + 0.5 * width) - 0.5);
+  vec2 wave = (near - far) / width;
   return mix(a, b, 0.5 - 0.5 * wave.x * wave.y);
 }

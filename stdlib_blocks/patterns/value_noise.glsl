@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-float corner(int x, uint row) { return float(hash(uint(x) + row) >> 8u) * 5.9604644775390625e-8; }
-
 /// Smooth random hills: a random number from 0 to 1 at each corner of a square grid, and between
 /// them a curve without kinks.
 /// The curve is 6t^5 - 15t^4 + 10t^3. Where a cell is no larger than a pixel, the result has faded
@@ -16,13 +14,12 @@ float value_noise(vec2 uv, vec2 scale, int seed) {
   vec2 base = floor(p);
   vec2 t = p - base;
   vec2 fade = t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
-  ivec2 cell = ivec2(base);
-  uint stream = hash(uint(seed));
-  uint row0 = hash(uint(cell.y) + stream);
-  uint row1 = hash(uint(cell.y + 1) + stream);
-  float low = mix(corner(cell.x, row0), corner(cell.x + 1, row0), fade.x);
-  float high = mix(corner(cell.x, row1), corner(cell.x + 1, row1), fade.x);
-  vec2 width = footprint(p);
+  uvec2 cell = uvec2(ivec2(base));
+  uvec2 columns = uvec2(cell.x, cell.x + 1u);
+  uvec2 rows = hash(uvec2(cell.y, cell.y + 1u) + hash(uint(seed)));
+  vec4 corners = vec4(hash(columns.xyxy + rows.xxyy) >> 8u) * 5.9604644775390625e-8;
+  vec2 ends = mix(corners.xz, corners.yw, fade.x);
+  vec2 width = footprint(uv) * abs(scale);
   float blur = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
-  return mix(mix(low, high, fade.y), 0.5, blur);
+  return mix(mix(ends.x, ends.y, fade.y), 0.5, blur);
 }

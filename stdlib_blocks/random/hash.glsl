@@ -13,6 +13,22 @@ uint hash(uint value) {
   return (word >> 22u) ^ word;
 }
 
+/// @param value two integers
+/// @return 32 random bits for each
+uvec2 hash(uvec2 value) {
+  uvec2 state = value * 747796405u + 2891336453u;
+  uvec2 word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+  return (word >> 22u) ^ word;
+}
+
+/// @param value four integers
+/// @return 32 random bits for each
+uvec4 hash(uvec4 value) {
+  uvec4 state = value * 747796405u + 2891336453u;
+  uvec4 word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+  return (word >> 22u) ^ word;
+}
+
 /// @param cell column and row
 /// @param seed another seed gives other bits for all cells @default 0
 uint hash(ivec2 cell, uint seed) { return hash(uint(cell.x) + hash(uint(cell.y) + hash(seed))); }

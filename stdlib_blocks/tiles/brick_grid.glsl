@@ -19,21 +19,21 @@
 /// @param tile the brick
 void brick_grid(vec2 uv, int rows, int columns, float row_offset, float row_jitter, int seed,
                 const bool toroidal, out Tile tile) {
-  float y = uv.y * float(rows);
-  float bottom = floor(y);
-  int row = int(bottom);
+  vec2 cells = vec2(columns, rows);
+  vec2 p = uv * cells;
+  int row = int(floor(p.y));
   if (toroidal) {
     row = wrap_cell(row, rows);
   }
   uint row_bits = hash(uint(row) + hash(uint(seed)));
-  float x = uv.x * float(columns) + row_offset * float(row & 1) + row_jitter * random(row_bits, -1);
-  float left = floor(x);
-  int column = int(left);
+  p.x += row_offset * float(row & 1) + row_jitter * random(row_bits, -1);
+  vec2 corner = floor(p);
+  int column = int(corner.x);
   if (toroidal) {
     column = wrap_cell(column, columns);
   }
   tile.cell = ivec2(column, row);
-  tile.local = vec2(x - left, y - bottom);
-  tile.size = 1.0 / vec2(columns, rows);
+  tile.local = p - corner;
+  tile.size = 1.0 / cells;
   tile.seed = hash(uint(column) + row_bits);
 }

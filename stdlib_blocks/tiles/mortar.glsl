@@ -15,9 +15,9 @@ vec2 brick_integral(vec2 p, vec2 joint) {
 ///   @range 0 1
 float mortar(Tile tile, float width) {
   vec2 joint = 0.5 * width / tile.size;
-  vec2 half_pixel = 0.5 * max(footprint(tile.local), 1e-4);
-  vec2 brick = (brick_integral(tile.local + half_pixel, joint) -
-                brick_integral(tile.local - half_pixel, joint)) /
-               (2.0 * half_pixel);
+  vec2 pixel = max(footprint(tile.local), 1e-4);
+  vec2 brick = (brick_integral(tile.local + 0.5 * pixel, joint) -
+                brick_integral(tile.local - 0.5 * pixel, joint)) /
+               pixel;
   return 1.0 - brick.x * brick.y;
 }

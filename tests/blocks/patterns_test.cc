@@ -72,6 +72,20 @@ TEST(CheckerTest, TheSquareAtTheOriginHasTheFirstValue) {
   EXPECT_NEAR(seen.Float(3), 7, 0.005);
 }
 
+TEST(CheckerTest, AMirroredPatternIsFilteredAlike) {
+  for (double pixel : {0.0005, 0.1, 2.3}) {
+    std::vector<Point> points = Scatter(100);
+    Values seen =
+        RunNode(R"({"block": "checker", "in": {"scale": [-8, 5]}})", points, {pixel, pixel});
+    for (size_t i = 0; i < points.size(); ++i) {
+      double x = -8 * points[i].x, y = 5 * points[i].y;
+      double wave = SquareWaveMean(x - 4 * pixel, x + 4 * pixel) *
+                    SquareWaveMean(y - 2.5 * pixel, y + 2.5 * pixel);
+      ASSERT_NEAR(seen.Float(i), 0.5 - 0.5 * wave, 0.004) << pixel;
+    }
+  }
+}
+
 TEST(RampTest, RisesAlongItsAxisAndIsConstantBeyond) {
   std::vector<Point> points = {{-1, 0.3}, {0.25, 0.9}, {0.5, -2}, {3, 0.1}};
   Values across = RunNode(R"({"block": "ramp", "in": {"a": 2, "b": 4}})", points, {0.01, 0.01});
@@ -141,6 +155,17 @@ TEST(ValueNoiseTest, FadesToItsMean) {
     EXPECT_NEAR(far.Float(i), 0.5, 1e-4);
     EXPECT_NEAR(half.Float(i), Mix(noise, 0.5, 0.5), 1e-3);
     EXPECT_NEAR(near.Float(i), noise, 1e-3);
+  }
+}
+
+TEST(ValueNoiseTest, MirroredNoiseFadesAlike) {
+  std::vector<Point> points = Scatter(100);
+  const char* node = R"({"block": "value_noise", "in": {"scale": [-10, 10]}})";
+  Values far = RunNode(node, points, {0.1, 0.01});
+  Values near = RunNode(node, points, {0.001, 0.001});
+  for (size_t i = 0; i < points.size(); ++i) {
+    EXPECT_NEAR(far.Float(i), 0.5, 1e-4);
+    EXPECT_NEAR(near.Float(i), ValueNoise(-10 * points[i].x, 10 * points[i].y, 0), 1e-4);
   }
 }
 

@@ -46,6 +46,18 @@ TEST(RandomTest, HashIsPcgToTheBit) {
   }
 }
 
+TEST(RandomTest, HashOfAVectorIsThatOfItsComponents) {
+  std::vector<uint32_t> words = Seeds();
+  for (uint32_t width : {2u, 4u}) {
+    Values vectors{width == 2 ? ir::kUvec2 : ir::kUvec4, kCount / width, words};
+    auto outputs = RunBlock("hash", {{"value", vectors}});
+    ASSERT_EQ(outputs.size(), 1u);
+    for (size_t i = 0; i < kCount; ++i) {
+      ASSERT_EQ(outputs["result"].words[i], reference::Pcg(words[i])) << width << " " << i;
+    }
+  }
+}
+
 TEST(RandomTest, HashOfACellIsNestedPcg) {
   std::vector<std::pair<int32_t, int32_t>> cells;
   for (int32_t x : {-1048576, -17, -1, 0, 1, 27, 1048576}) {

@@ -43,24 +43,18 @@ uint hash(uint value) {
 // brick_grid (tiles/brick_grid.glsl)
 void brick_grid(vec2 uv, vec2 uv_dx, vec2 uv_dy, out Tile tile, out vec2 tile_local_dx,
     out vec2 tile_local_dy) {
-  float y = uv.y * 10.0;
-  float y_dx = uv_dx.y * 10.0;
-  float y_dy = uv_dy.y * 10.0;
-  float bottom = floor(y);
-  int row = int(bottom);
+  vec2 p = uv * vec2(5.0, 10.0);
+  int row = int(floor(p.y));
   row = wrap_cell(row, 10);
   uint row_bits = hash(uint(row) + hash(0u));
-  float x_dx = uv_dx.x * 5.0;
-  float x_dy = uv_dy.x * 5.0;
   float product = 0.08 * (float(hash(row_bits - 1u) >> 8u) * 5.9604645e-8);
-  float x = uv.x * 5.0 + 0.5 * float(row & 1) + product;
-  float left = floor(x);
-  int column = int(left);
+  p = vec2(p.x + (0.5 * float(row & 1) + product), p.y);
+  vec2 corner = floor(p);
+  int column = int(corner.x);
   column = wrap_cell(column, 5);
-  uint hash_value = hash(uint(column) + row_bits);
-  tile = Tile(ivec2(column, row), vec2(x - left, y - bottom), vec2(0.2, 0.1), hash_value);
-  tile_local_dx = vec2(x_dx, y_dx);
-  tile_local_dy = vec2(x_dy, y_dy);
+  tile = Tile(ivec2(column, row), p - corner, vec2(0.2, 0.1), hash(uint(column) + row_bits));
+  tile_local_dx = uv_dx * vec2(5.0, 10.0);
+  tile_local_dy = uv_dy * vec2(5.0, 10.0);
 }
 
 // color_ramp (color/color_ramp.glsl)

@@ -16,14 +16,12 @@ struct Tile {
 
 // checker (patterns/checker.glsl)
 vec4 checker(vec2 uv, vec4 a, vec4 b, vec2 uv_dx, vec2 uv_dy) {
-  vec2 p = uv * 8.0;
-  vec2 p_dx = uv_dx * 8.0;
-  vec2 p_dy = uv_dy * 8.0;
-  vec2 width = max(sqrt(p_dx * p_dx + p_dy * p_dy), 0.0001);
+  vec2 p = uv * 4.0;
+  vec2 width = max(sqrt(uv_dx * uv_dx + uv_dy * uv_dy) * 4.0, 5e-5);
   vec2 product = 0.5 * width;
-  vec2 near = abs(fract((p - product) * 0.5) - 0.5);
-  vec2 far = abs(fract((p + product) * 0.5) - 0.5);
-  vec2 wave = 2.0 * (near - far) / width;
+  vec2 near = abs(fract(p - product) - 0.5);
+  vec2 far = abs(fract(p + product) - 0.5);
+  vec2 wave = (near - far) / width;
   return mix(a, b, 0.5 - 0.5 * wave.x * wave.y);
 }
 
@@ -37,53 +35,45 @@ uint hash(uint value) {
 // brick_grid (tiles/brick_grid.glsl)
 void brick_grid(vec2 uv, vec2 uv_dx, vec2 uv_dy, out Tile tile, out vec2 tile_local_dx,
     out vec2 tile_local_dy) {
-  float y = uv.y * 8.0;
-  float y_dx = uv_dx.y * 8.0;
-  float y_dy = uv_dy.y * 8.0;
-  float bottom = floor(y);
-  int row = int(bottom);
+  vec2 p = uv * 8.0;
+  int row = int(floor(p.y));
   uint row_bits = hash(uint(row) + hash(0u));
-  float x = uv.x * 8.0;
-  float x_dx = uv_dx.x * 8.0;
-  float x_dy = uv_dy.x * 8.0;
-  float left = floor(x);
-  int column = int(left);
-  uint hash_value = hash(uint(column) + row_bits);
-  tile = Tile(ivec2(column, row), vec2(x - left, y - bottom), vec2(0.125), hash_value);
-  tile_local_dx = vec2(x_dx, y_dx);
-  tile_local_dy = vec2(x_dy, y_dy);
+  vec2 corner = floor(p);
+  int column = int(corner.x);
+  tile = Tile(ivec2(column, row), p - corner, vec2(0.125), hash(uint(column) + row_bits));
+  tile_local_dx = uv_dx * 8.0;
+  tile_local_dy = uv_dy * 8.0;
 }
 
-// uv_transform (images/uv_transform.glsl)
-vec2 uv_transform(vec2 uv, vec2 uv_dx, vec2 uv_dy, out vec2 result_dx, out vec2 result_dy) {
-  vec2 p = uv - 0.5;
-  result_dx = vec2(0.83867055 * uv_dx.x + 0.54463905 * uv_dx.y,
-      0.83867055 * uv_dx.y - 0.54463905 * uv_dx.x);
-  result_dy = vec2(0.83867055 * uv_dy.x + 0.54463905 * uv_dy.y,
-      0.83867055 * uv_dy.y - 0.54463905 * uv_dy.x);
-  return vec2(0.83867055 * p.x + 0.54463905 * p.y, 0.83867055 * p.y - 0.54463905 * p.x) + 0.5;
+// hash (random/hash.glsl)
+uvec2 hash(uvec2 value) {
+  uvec2 state = value * 747796405u + 2891336453u;
+  uvec2 word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+  return (word >> 22u) ^ word;
+}
+
+// hash (random/hash.glsl)
+uvec4 hash(uvec4 value) {
+  uvec4 state = value * 747796405u + 2891336453u;
+  uvec4 word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+  return (word >> 22u) ^ word;
 }
 
 // value_noise (patterns/value_noise.glsl)
 float value_noise(vec2 uv, vec2 scale, int seed, vec2 uv_dx, vec2 uv_dy) {
   vec2 p = uv * scale;
-  vec2 p_dx = uv_dx * scale;
-  vec2 p_dy = uv_dy * scale;
   vec2 base = floor(p);
   vec2 t = p - base;
   vec2 fade = t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
-  ivec2 cell = ivec2(base);
-  uint stream = hash(uint(seed));
-  uint row0 = hash(uint(cell.y) + stream);
-  uint row1 = hash(uint(cell.y + 1) + stream);
-  float product = float(hash(uint(cell.x) + row0) >> 8u) * 5.9604645e-8;
-  uint number = uint(cell.x + 1);
-  float low = mix(product, float(hash(number + row0) >> 8u) * 5.9604645e-8, fade.x);
-  float product2 = float(hash(uint(cell.x) + row1) >> 8u) * 5.9604645e-8;
-  float high = mix(product2, float(hash(number + row1) >> 8u) * 5.9604645e-8, fade.x);
-  vec2 width = sqrt(p_dx * p_dx + p_dy * p_dy);
+  uvec2 cell = uvec2(ivec2(base));
+  uint sum = cell.x + 1u;
+  uvec2 rows = hash(uvec2(cell.y, cell.y + 1u) + hash(uint(seed)));
+  uvec4 bits = hash(uvec4(cell.x, sum, cell.x, sum) + rows.xxyy) >> 8u;
+  vec4 corners = vec4(bits) * 5.9604645e-8;
+  vec2 ends = mix(corners.xz, corners.yw, fade.x);
+  vec2 width = sqrt(uv_dx * uv_dx + uv_dy * uv_dy) * abs(scale);
   float blur = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
-  return mix(mix(low, high, fade.y), 0.5, blur);
+  return mix(mix(ends.x, ends.y, fade.y), 0.5, blur);
 }
 
 // brick_integral, of mortar (tiles/mortar.glsl)
@@ -96,11 +86,11 @@ vec2 brick_integral(vec2 p, vec2 joint) {
 // mortar (tiles/mortar.glsl)
 float mortar(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
   vec2 joint = 0.002 / tile.size;
-  vec2 greatest = max(sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy), 0.0001);
-  vec2 half_pixel = 0.5 * greatest;
-  vec2 brick_integral_value = brick_integral(tile.local + half_pixel, joint);
-  vec2 brick = (brick_integral_value - brick_integral(tile.local - half_pixel, joint))
-      / (2.0 * half_pixel);
+  vec2 pixel = max(sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy), 0.0001);
+  vec2 product = 0.5 * pixel;
+  vec2 difference = brick_integral(tile.local + product, joint)
+      - brick_integral(tile.local - product, joint);
+  vec2 brick = difference / pixel;
   return 1.0 - brick.x * brick.y;
 }
 
@@ -115,8 +105,9 @@ void checker_floor(vec2 uv, out vec4 color, out float roughness) {
   // tone: tile_random
   float tone = mix(0.75, 1.1, float(hash(grid.seed) >> 8u) * 5.9604645e-8);
   // tilted: uv_transform
-  vec2 tilted_dx, tilted_dy;
-  vec2 tilted = uv_transform(uv, uv_dx, uv_dy, tilted_dx, tilted_dy);
+  vec2 tilted_dx = mat2(0.83867055, -0.54463905, 0.54463905, 0.83867055) * uv_dx;
+  vec2 tilted_dy = mat2(0.83867055, -0.54463905, 0.54463905, 0.83867055) * uv_dy;
+  vec2 tilted = mat2(0.83867055, -0.54463905, 0.54463905, 0.83867055) * (uv - 0.5) + 0.5;
   // coarse: value_noise
   float coarse = value_noise(tilted, vec2(34.0), 3, tilted_dx, tilted_dy);
   // fine: value_noise

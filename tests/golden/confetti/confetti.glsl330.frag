@@ -28,44 +28,31 @@ uint hash(uint value) {
 // brick_grid (tiles/brick_grid.glsl)
 void brick_grid_grid_1(vec2 uv, vec2 uv_dx, vec2 uv_dy, out Tile tile, out vec2 tile_local_dx,
     out vec2 tile_local_dy) {
-  float y = uv.y * 9.0;
-  float y_dx = uv_dx.y * 9.0;
-  float y_dy = uv_dy.y * 9.0;
-  float bottom = floor(y);
-  int row = int(bottom);
+  vec2 p = uv * 9.0;
+  int row = int(floor(p.y));
   uint row_bits = hash(uint(row) + hash(1u));
-  float x_dx = uv_dx.x * 9.0;
-  float x_dy = uv_dy.x * 9.0;
-  float x = uv.x * 9.0 + 0.5 * float(row & 1);
-  float left = floor(x);
-  int column = int(left);
-  uint hash_value = hash(uint(column) + row_bits);
-  tile = Tile(ivec2(column, row), vec2(x - left, y - bottom), vec2(0.11111111), hash_value);
-  tile_local_dx = vec2(x_dx, y_dx);
-  tile_local_dy = vec2(x_dy, y_dy);
+  p = vec2(p.x + 0.5 * float(row & 1), p.y);
+  vec2 corner = floor(p);
+  int column = int(corner.x);
+  tile = Tile(ivec2(column, row), p - corner, vec2(0.11111111), hash(uint(column) + row_bits));
+  tile_local_dx = uv_dx * 9.0;
+  tile_local_dy = uv_dy * 9.0;
 }
 
 // brick_grid (tiles/brick_grid.glsl)
 void brick_grid_grid_2(vec2 uv, int rows, int columns, int seed, vec2 uv_dx, vec2 uv_dy,
     out Tile tile, out vec2 tile_local_dx, out vec2 tile_local_dy) {
-  float value = float(rows);
-  float y = uv.y * value;
-  float y_dx = uv_dx.y * value;
-  float y_dy = uv_dy.y * value;
-  float bottom = floor(y);
-  int row = int(bottom);
+  vec2 cells = vec2(float(columns), float(rows));
+  vec2 p = uv * cells;
+  int row = int(floor(p.y));
   uint row_bits = hash(uint(row) + hash(uint(seed)));
-  float value2 = float(columns);
-  float x_dx = uv_dx.x * value2;
-  float x_dy = uv_dy.x * value2;
-  float x = uv.x * value2 + 0.5 * float(row & 1) + float(hash(row_bits - 1u) >> 8u) * 5.9604645e-8;
-  float left = floor(x);
-  int column = int(left);
-  vec2 ratio = 1.0 / vec2(value2, value);
-  uint hash_value = hash(uint(column) + row_bits);
-  tile = Tile(ivec2(column, row), vec2(x - left, y - bottom), ratio, hash_value);
-  tile_local_dx = vec2(x_dx, y_dx);
-  tile_local_dy = vec2(x_dy, y_dy);
+  float sum = 0.5 * float(row & 1) + float(hash(row_bits - 1u) >> 8u) * 5.9604645e-8;
+  p = vec2(p.x + sum, p.y);
+  vec2 corner = floor(p);
+  int column = int(corner.x);
+  tile = Tile(ivec2(column, row), p - corner, 1.0 / cells, hash(uint(column) + row_bits));
+  tile_local_dx = uv_dx * cells;
+  tile_local_dy = uv_dy * cells;
 }
 
 // random3 (random/random3.glsl)

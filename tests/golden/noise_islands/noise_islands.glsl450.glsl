@@ -6,9 +6,16 @@
 uniform float sea_level;  // default 0.5
 
 // hash (random/hash.glsl)
-uint hash(uint value) {
-  uint state = value * 747796405u + 2891336453u;
-  uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+uvec2 hash(uvec2 value) {
+  uvec2 state = value * 747796405u + 2891336453u;
+  uvec2 word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+  return (word >> 22u) ^ word;
+}
+
+// hash (random/hash.glsl)
+uvec4 hash(uvec4 value) {
+  uvec4 state = value * 747796405u + 2891336453u;
+  uvec4 word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
   return (word >> 22u) ^ word;
 }
 
@@ -31,29 +38,21 @@ float value_noise(vec2 uv, vec2 scale, vec2 uv_dx, vec2 uv_dy, out float result_
   vec2 fade_dx = product5 + product4 * (p_dx * difference + t * (p_dx * 6.0));
   vec2 product6 = ((product3 + product3) * t + product * p_dy) * sum;
   vec2 fade_dy = product6 + product4 * (p_dy * difference + t * (p_dy * 6.0));
-  ivec2 cell = ivec2(base);
-  uint stream = hash(7u);
-  uint row0 = hash(uint(cell.y) + stream);
-  uint row1 = hash(uint(cell.y + 1) + stream);
-  float product7 = float(hash(uint(cell.x) + row0) >> 8u) * 5.9604645e-8;
-  uint number = uint(cell.x + 1);
-  float product8 = float(hash(number + row0) >> 8u) * 5.9604645e-8;
-  float low = mix(product7, product8, fade.x);
-  float difference2 = product8 - product7;
-  float low_dx = difference2 * fade_dx.x;
-  float low_dy = difference2 * fade_dy.x;
-  float product9 = float(hash(uint(cell.x) + row1) >> 8u) * 5.9604645e-8;
-  float product10 = float(hash(number + row1) >> 8u) * 5.9604645e-8;
-  float high = mix(product9, product10, fade.x);
-  float difference3 = product10 - product9;
-  float high_dx = difference3 * fade_dx.x;
-  float high_dy = difference3 * fade_dy.x;
-  vec2 width = sqrt(p_dx * p_dx + p_dy * p_dy);
+  uvec2 cell = uvec2(ivec2(base));
+  uint sum2 = cell.x + 1u;
+  uvec2 rows = hash(uvec2(cell.y, cell.y + 1u) + 2120684060u);
+  uvec4 bits = hash(uvec4(cell.x, sum2, cell.x, sum2) + rows.xxyy) >> 8u;
+  vec4 corners = vec4(bits) * 5.9604645e-8;
+  vec2 ends = mix(corners.xz, corners.yw, fade.x);
+  vec2 difference2 = corners.yw - corners.xz;
+  vec2 ends_dx = difference2 * fade_dx.x;
+  vec2 ends_dy = difference2 * fade_dy.x;
+  vec2 width = sqrt(uv_dx * uv_dx + uv_dy * uv_dy) * abs(scale);
   float blur = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
-  float difference4 = high - low;
-  result_dx = mix(mix(low_dx, high_dx, fade.y) + difference4 * fade_dx.y, 0.0, blur);
-  result_dy = mix(mix(low_dy, high_dy, fade.y) + difference4 * fade_dy.y, 0.0, blur);
-  return mix(mix(low, high, fade.y), 0.5, blur);
+  float difference3 = ends.y - ends.x;
+  result_dx = mix(mix(ends_dx.x, ends_dx.y, fade.y) + difference3 * fade_dx.y, 0.0, blur);
+  result_dy = mix(mix(ends_dy.x, ends_dy.y, fade.y) + difference3 * fade_dy.y, 0.0, blur);
+  return mix(mix(ends.x, ends.y, fade.y), 0.5, blur);
 }
 
 // remap (math/remap.glsl)

@@ -170,6 +170,51 @@ void main() {
   EXPECT_TRUE(IsValid(module));
 }
 
+// GLSL takes the overload whose parameters have the arguments' types; outputs tell none apart, for they count as parameters.
+TEST(Names, FunctionsWithOtherParametersAreOverloads) {
+  const std::string module = R"(input uv: vec2
+function twice_0 as twice(%a: float) -> float {
+  %1 = add %a, %a : float
+  return %1
+}
+function twice_1 as twice(%a: vec2) -> vec2 {
+  %1 = add %a, %a : vec2
+  return %1
+}
+function twice_2 as twice(%a: vec2) -> vec2 {
+  %1 = mul %a, vec2(2.0) : vec2
+  return %1
+}
+function twice_3 as twice(%a: vec2, %b: float) -> float {
+  %1 = extract.0 %a : float
+  %2 = mul %1, %b : float
+  return %2
+}
+function twice_4 as twice(%a: float, %b: float) -> float {
+  %1 = mul %a, %b : float
+  return %1
+}
+function main() -> (color: vec4) {
+  %1 = call twice_1(@uv) : vec2
+  %2 = call twice_2(@uv) : vec2
+  %3 = extract.0 %1 : float
+  %4 = extract.1 %2 : float
+  %5 = call twice_0(%3) : float
+  %6 = call twice_3(%2, %5) : float
+  %7 = call twice_4(%6, %4) : float
+  %8 = construct %5, %6, %7, 1.0 : vec4
+  return %8
+}
+main main
+)";
+  std::string text = Functions(module);
+  for (const char* line : {"float twice(float a) {", "vec2 twice(vec2 a) {", "vec2 twice2(vec2 a) {",
+                           "float twice3(vec2 a, float b) {", "float twice2(float a, float b) {"}) {
+    EXPECT_NE(text.find(line), std::string::npos) << line << "\n" << text;
+  }
+  EXPECT_TRUE(IsValid(module));
+}
+
 TEST(Names, BelongToTheirScopes) {
   const std::string module = R"(input uv: vec2
 function main() -> (x: float) {
