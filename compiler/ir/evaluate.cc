@@ -117,6 +117,7 @@ std::vector<std::vector<uint32_t>> Evaluate(const Module& module, FunctionId fun
     }
     for (size_t i = 0; i < parameters.size(); ++i)
       batch_arguments[i] = parameters[i].At(first, count);
+    interpreter.SetObserver(inputs.observer, first);
     const uint64_t active = count == 64 ? ~uint64_t{0} : (uint64_t{1} << count) - 1;
     interpreter.Run(function, batch_arguments, active, batch.data());
     const uint32_t* from = batch.data();

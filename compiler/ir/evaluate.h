@@ -19,12 +19,26 @@
 namespace texgraph::ir {
 
 // Lane l of quad q is pixel 4q + l: 0 left bottom, 1 right bottom, 2 left top, 3 right top (y up, as in GL).
+
+// Sees each operation's value when it has been computed, and may change it: for tests that ask what
+// roundings do to a result, or whether something was not finite on the way.
+class EvaluateObserver {
+ public:
+  virtual ~EvaluateObserver() = default;
+  // Word w of lane l of the batch, whose lanes start at `first_lane`, is at [w * lanes + l], of the
+  // operands as well (of samples: without the sampler). Lanes that are not `active` hold anything.
+  virtual void OnValue(const Function& function, ValueId v,
+                       std::span<const uint32_t* const> operands, uint32_t first_lane,
+                       uint32_t lanes, uint64_t active, uint32_t* words) = 0;
+};
+
 struct EvaluateInputs {
   uint32_t lanes = 4;                              // a multiple of 4
   std::vector<std::vector<uint32_t>> globals;      // by GlobalId; word w of lane l at [w * lanes + l]; uniforms may hold one lane
                                                    // (Types::Words words); empty: the default, or zeros. Textures: empty
   std::vector<const Texture*> textures;            // by GlobalId; null where the global is no texture. What has no texture samples
                                                    // as (0, 0, 0, 1)
+  EvaluateObserver* observer = nullptr;            // of arithmetic and samples; not of calls, ifs and loops themselves
 };
 
 // Calls nest no deeper; deeper ones end the program with a message.

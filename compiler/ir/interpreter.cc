@@ -149,11 +149,11 @@ void Interpreter::RunInst(Frame& frame, ValueId v, uint64_t active) {
       return;
     }
     default:
-      return RunPlain(frame, v);
+      return RunPlain(frame, v, active);
   }
 }
 
-void Interpreter::RunPlain(Frame& frame, ValueId v) {
+void Interpreter::RunPlain(Frame& frame, ValueId v, uint64_t active) {
   const Inst& inst = frame.f[v];
   operands_.clear();
   operand_types_.clear();
@@ -162,7 +162,8 @@ void Interpreter::RunPlain(Frame& frame, ValueId v) {
     operand_types_.push_back(frame.f[operand].type);
   }
   const OpArguments arguments{inst.op, inst.type, operand_types_, operands_, inst.aux, lanes_};
-  if (EvaluateOp(module_.types, arguments, Storage(frame, v))) return;
+  uint32_t* to = Storage(frame, v);
+  if (EvaluateOp(module_.types, arguments, to)) return Observe(frame, v, active, to);
   std::fprintf(stderr, "texgraph: evaluate: cannot run %s\n", Info(inst.op).name.data());
   std::abort();
 }
@@ -264,6 +265,12 @@ void Interpreter::RunSample(Frame& frame, ValueId v, uint64_t active) {
   uint32_t* to = Storage(frame, v);
   if (inst.op == Op::kTextureSize) return quads::Size(sampler, texture, operands_[0], lanes_, to);
   quads::Sample({inst.op, sampler, texture, operands_, lanes_, active}, to);
+  Observe(frame, v, active, to);
+}
+
+// `operands_` are still the operation's.
+void Interpreter::Observe(Frame& frame, ValueId v, uint64_t active, uint32_t* words) {
+  if (observer_) observer_->OnValue(frame.f, v, operands_, first_lane_, lanes_, active, words);
 }
 
 }  // namespace texgraph::ir

@@ -15,6 +15,8 @@
 
 namespace texgraph::ir {
 
+class EvaluateObserver;
+
 // Memory that is given back all at once, newest first.
 class WordArena {
  public:
@@ -49,6 +51,12 @@ class Interpreter {
   // The words of a global in the batch to come; they are not copied.
   void SetGlobal(GlobalId id, const uint32_t* words) { globals_[id.index] = words; }
 
+  // Null: none. The lanes of the batch to come start at `first_lane`.
+  void SetObserver(EvaluateObserver* observer, uint32_t first_lane) {
+    observer_ = observer;
+    first_lane_ = first_lane;
+  }
+
   // Runs a function for the lanes of `active` and copies its results, one after the other, to
   // `results`.
   void Run(FunctionId function, std::span<const uint32_t* const> arguments, uint64_t active,
@@ -81,7 +89,8 @@ class Interpreter {
   void RunFor(Frame& frame, ValueId v, uint64_t active);
   void RunCall(Frame& frame, ValueId v, uint64_t active);
   void RunSample(Frame& frame, ValueId v, uint64_t active);
-  void RunPlain(Frame& frame, ValueId v);
+  void RunPlain(Frame& frame, ValueId v, uint64_t active);
+  void Observe(Frame& frame, ValueId v, uint64_t active, uint32_t* words);
   void MakeField(Frame& frame, ValueId v);
 
   const Slot& Get(Frame& frame, ValueId v);
@@ -100,6 +109,8 @@ class Interpreter {
   std::vector<std::vector<uint32_t>> constants_;  // by ConstId, in every lane; empty until needed
   WordArena arena_;
   uint32_t depth_ = 0;
+  EvaluateObserver* observer_ = nullptr;
+  uint32_t first_lane_ = 0;
   // Of the operation that is being computed.
   std::vector<const uint32_t*> operands_;
   std::vector<TypeId> operand_types_;

@@ -100,7 +100,7 @@ void FillGlobal(const ir::Global& global, const CheckOptions& options, const Sur
   }
 }
 
-std::vector<Words> RunOnCpu(const ir::Module& module, const CheckOptions& options,
+fuzz::NoisyResults RunOnCpu(const ir::Module& module, const CheckOptions& options,
                             const Surface& surface) {
   Inputs inputs;
   inputs.values.lanes = options.width * options.height;
@@ -109,7 +109,10 @@ std::vector<Words> RunOnCpu(const ir::Module& module, const CheckOptions& option
   for (size_t i = 0; i < module.globals.size(); ++i) {
     FillGlobal(module.globals[i], options, surface, i, inputs);
   }
-  return ir::Evaluate(module, module.main, inputs.values);
+  if (options.slack) return fuzz::EvaluateWithNoise(module, inputs.values, *options.slack);
+  fuzz::NoisyResults results;
+  results.words = ir::Evaluate(module, module.main, inputs.values);
+  return results;
 }
 
 // --- The GPU's side
@@ -201,6 +204,24 @@ RenderRequest ShaderRequestFor(const ir::Module& module, const CheckOptions& opt
 // --- Comparing
 // -----------------------------------------------------------------------------------------------------
 
+// By value, as OutputDifference has them. All lanes of a quad share the levels of its samples.
+std::vector<double> SlackOf(const fuzz::NoisyResults& cpu, size_t result, uint32_t channels,
+                            const CheckOptions& options) {
+  const uint32_t lanes = options.width * options.height;
+  std::vector<double> slack(size_t{lanes} * channels);
+  for (uint32_t lane = 0; lane < lanes; ++lane) {
+    const auto [x, y] = PixelOfLane(lane, options.width);
+    bool undefined = false;
+    for (uint32_t l = 0; l < 4; ++l) undefined = undefined || cpu.undefined[lane / 4 * 4 + l];
+    for (uint32_t c = 0; c < channels; ++c) {
+      slack[(size_t{y} * options.width + x) * channels + c] =
+          undefined ? std::numeric_limits<double>::infinity()
+                    : cpu.slack[result][size_t{c} * lanes + lane];
+    }
+  }
+  return slack;
+}
+
 void Compare(const Words& cpu, const runtime::RenderedOutput& gpu, const CheckOptions& options,
              OutputDifference& difference) {
   const uint32_t lanes = options.width * options.height;
@@ -234,14 +255,16 @@ void Compare(const Words& cpu, const runtime::RenderedOutput& gpu, const CheckOp
   }
 }
 
-void Finish(const RenderResult& result, const std::vector<Words>& cpu, const CheckOptions& options,
+void Finish(const RenderResult& result, const fuzz::NoisyResults& cpu, const CheckOptions& options,
             CheckReport& report) {
   if (!result.ok()) {
     report.error = ErrorText(result.diagnostics) + result.driver_log + "\n" + report.glsl;
     return;
   }
   for (size_t i = 0; i < result.outputs.size(); ++i) {
-    Compare(cpu[i], result.outputs[i], options, report.outputs.emplace_back());
+    OutputDifference& difference = report.outputs.emplace_back();
+    Compare(cpu.words[i], result.outputs[i], options, difference);
+    if (options.slack) difference.slack = SlackOf(cpu, i, difference.width, options);
   }
 }
 
@@ -318,7 +341,7 @@ const Surface* InterpolatedSurface(const CheckOptions& options, std::string& err
 
 std::vector<CheckReport> CompareCpuAndGpu(std::span<const CheckCase> cases) {
   std::vector<CheckReport> reports(cases.size());
-  std::vector<std::vector<Words>> cpu(cases.size());
+  std::vector<fuzz::NoisyResults> cpu(cases.size());
   std::vector<RenderRequest> requests;
   std::vector<size_t> request_of;
   for (size_t i = 0; i < cases.size(); ++i) {
@@ -353,6 +376,16 @@ uint64_t OutputDifference::CountBeyond(double tolerance) const {
     if (UlpDistance(cpu[i], gpu[i]) == 0) continue;
     const double distance = std::abs(static_cast<double>(cpu[i]) - gpu[i]);
     if (!(distance <= tolerance)) ++count;
+  }
+  return count;
+}
+
+uint64_t OutputDifference::CountBeyondSlack() const {
+  uint64_t count = 0;
+  for (size_t i = 0; i < slack.size(); ++i) {
+    if (UlpDistance(cpu[i], gpu[i]) == 0 || std::isinf(slack[i])) continue;
+    const double distance = std::abs(static_cast<double>(cpu[i]) - gpu[i]);
+    if (!(distance <= slack[i])) ++count;
   }
   return count;
 }

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "compiler/ir/module.h"
 #include "compiler/textures/texels.h"
 #include "runtime/render.h"
+#include "tests/fuzz/rounding_noise.h"
 
 namespace texgraph::test {
 
@@ -35,6 +37,8 @@ struct CheckOptions {
   std::map<std::string, std::shared_ptr<const textures::TextureData>> textures;
   // Uniforms with other values than their defaults: words as in the module.
   std::map<std::string, std::vector<uint32_t>> uniforms;
+  // If set, how far each value may be off is found out: OutputDifference::slack.
+  std::optional<fuzz::NoiseOptions> slack;
 };
 
 struct OutputDifference {
@@ -48,7 +52,11 @@ struct OutputDifference {
       0;  // units in the last place between floats next to each other; a NaN against a number: 2^32
   double max_abs = 0;  // infinite for a NaN or an infinity against another value
   uint32_t worst = 0;  // the index of the value with the largest difference
+  // By value: what roundings may do to it; infinite where something on the way is not defined on a
+  // GPU. Empty unless CheckOptions::slack is set.
+  std::vector<double> slack;
   uint64_t CountBeyond(double tolerance) const;  // values that differ by more
+  uint64_t CountBeyondSlack() const;
 };
 
 struct CheckReport {

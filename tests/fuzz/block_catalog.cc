@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/fuzz/block_catalog.h"
+
+#include <algorithm>
+
+#include "compiler/graph/conversion.h"
+#include "compiler/graph/literal.h"
+
+namespace texgraph::fuzz {
+
+using blocks::Overload;
+using blocks::Port;
+using blocks::PortKind;
+using graph::ConversionCost;
+
+BlockCatalog& BlockCatalog::Instance() {
+  static BlockCatalog catalog;
+  return catalog;
+}
+
+BlockCatalog::BlockCatalog() : library_(module_, sources_, diagnostics_) {
+  for (std::string_view name : library_.Names()) {
+    const blocks::Block* block = library_.Find(name);
+    bool usable = block && std::ranges::any_of(block->overloads, [&](const Overload& overload) {
+                    return Usable(overload);
+                  });
+    if (usable) blocks_.push_back(block);
+  }
+}
+
+bool BlockCatalog::Usable(const Overload& overload) const {
+  return std::ranges::none_of(overload.inputs, [](const Port& port) {
+    return port.kind == PortKind::kTexture && port.type == ir::kSampler3D;
+  });
+}
+
+ir::TypeId BlockCatalog::FieldResult(const Port& port) const {
+  return module_.types[port.type].elements[0];
+}
+
+std::span<const ir::TypeId> BlockCatalog::FieldParameters(const Port& port) const {
+  return std::span(module_.types[port.type].elements).subspan(1);
+}
+
+std::optional<int> BlockCatalog::Cost(const Port& port, const Thing& thing) const {
+  const bool field = port.kind == PortKind::kField;
+  const ir::TypeId wanted = field ? FieldResult(port) : port.type;
+  switch (thing.kind) {
+    case Thing::Kind::kTexture: {
+      if (port.kind == PortKind::kTexture) {
+        return port.type == thing.type ? std::optional<int>(0) : std::nullopt;
+      }
+      if (!field || FieldParameters(port).empty()) return std::nullopt;
+      const ir::TypeId place = thing.type == ir::kSampler2D ? ir::kVec2 : ir::kVec3;
+      if (FieldParameters(port)[0] != place) return std::nullopt;
+      return ConversionCost(ir::kVec4, wanted);
+    }
+    case Thing::Kind::kFunction:
+      if (!field || !FunctionFits(port, *thing.function)) return std::nullopt;
+      return ConversionCost(thing.type, wanted);
+    case Thing::Kind::kConstant:
+      if (port.kind == PortKind::kTexture) return std::nullopt;
+      return ConversionCost(thing.type, wanted);
+    case Thing::Kind::kValue:
+      // The choice between overloads does not look at what stands at template ports; it is an error
+      // there whatever its type.
+      if (port.kind == PortKind::kTexture || port.kind == PortKind::kTemplate) return std::nullopt;
+      return ConversionCost(thing.type, wanted);
+  }
+  return std::nullopt;
+}
+
+std::optional<int> BlockCatalog::Cost(const Port& port, const graph::Argument& literal) const {
+  if (port.kind == PortKind::kTexture) return std::nullopt;
+  if (literal.kind == graph::Argument::Kind::kString) {  // a word
+    const bool known =
+        port.kind == PortKind::kTemplate &&
+        std::ranges::find(port.words, literal.text, &blocks::EnumWord::word) != port.words.end();
+    return known ? std::optional<int>(0) : std::nullopt;
+  }
+  const ir::TypeId wanted = port.kind == PortKind::kField ? FieldResult(port) : port.type;
+  return LiteralCost(literal, wanted, module_.types);
+}
+
+// Parameters of the prototype go to the function's inputs of their names, then to the first free
+// ones of their types; the rest need defaults.
+bool BlockCatalog::FunctionFits(const Port& port, const Overload& function) const {
+  const std::span<const ir::TypeId> types = FieldParameters(port);
+  std::vector<bool> given(function.inputs.size()), taken(types.size());
+  for (size_t i = 0; i < function.inputs.size(); ++i) {
+    for (size_t p = 0; p < types.size(); ++p) {
+      if (port.field_parameters[p] != function.inputs[i].name) continue;
+      if (!ConversionCost(types[p], function.inputs[i].type)) return false;
+      given[i] = taken[p] = true;
+    }
+  }
+  for (size_t p = 0; p < types.size(); ++p) {
+    for (size_t i = 0; i < given.size() && !taken[p]; ++i) {
+      if (given[i] || function.inputs[i].type != types[p]) continue;
+      given[i] = taken[p] = true;
+    }
+  }
+  for (size_t i = 0; i < given.size(); ++i) {
+    if (!given[i] && IsRequired(function.inputs[i])) return false;
+  }
+  return true;
+}
+
+const Overload* BlockCatalog::Choose(std::span<const Overload> overloads,
+                                     std::span<const PortArgument> arguments) const {
+  const Overload* best = nullptr;
+  int best_cost = 0;
+  for (const Overload& overload : overloads) {
+    bool fits = true;
+    int total = 0;
+    for (const PortArgument& argument : arguments) {
+      auto port = std::ranges::find(overload.inputs, argument.port, &Port::name);
+      std::optional<int> cost;
+      if (port != overload.inputs.end()) {
+        cost = argument.thing ? Cost(*port, *argument.thing) : Cost(*port, argument.literal);
+      }
+      fits = fits && cost;
+      total += cost.value_or(0);
+    }
+    for (const Port& port : overload.inputs) {
+      if (!IsRequired(port)) continue;
+      auto argument = std::ranges::find(arguments, port.name, &PortArgument::port);
+      fits = fits && argument != arguments.end();
+    }
+    if (!fits || (best && total >= best_cost)) continue;
+    best = &overload;
+    best_cost = total;
+  }
+  return best;
+}
+
+bool BlockCatalog::WithinLimits(const Port& port, const graph::Argument& literal) const {
+  for (double number : literal.numbers) {
+    const auto value = static_cast<float>(number);
+    if (port.minimum && value < static_cast<float>(*port.minimum)) return false;
+    if (port.maximum && value > static_cast<float>(*port.maximum)) return false;
+    const bool known =
+        port.words.empty() || std::ranges::any_of(port.words, [&](const blocks::EnumWord& word) {
+          return word.value == number;
+        });
+    if (!known) return false;
+  }
+  return true;
+}
+
+}  // namespace texgraph::fuzz

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/fuzz/random_nodes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace texgraph::fuzz {
+namespace {
+
+using blocks::Overload;
+using blocks::Port;
+using blocks::PortKind;
+using graph::Argument;
+
+constexpr int kAttempts = 60;         // to find a block whose ports can all be bound
+constexpr double kMostWhole = 64;     // where a range goes beyond what pictures have
+constexpr uint32_t kDynamicInt = 12;  // one in so many whole numbers with limits is connected
+
+bool IsWhole(ir::TypeId type) { return ir::IsVector(type) && ir::IsInteger(type); }
+
+}  // namespace
+
+void RandomNodes::AddOutputs(const std::string& node, const std::vector<Port>& outputs,
+                             Thing::Kind kind, const Overload* function) {
+  for (size_t i = 0; i < outputs.size(); ++i) {
+    Thing thing;
+    thing.kind = kind;
+    thing.reference = node;
+    // A plain name means the only output, or the return value.
+    const bool plain = outputs.size() == 1 || (i == 0 && outputs[0].name == "result");
+    if (!plain || OneIn(6)) thing.reference += "." + outputs[i].name;
+    thing.type = outputs[i].type;
+    thing.function = function;
+    AddThing(std::move(thing));
+  }
+}
+
+// A number near the default, or within the range; multiples of 1/64 more often than not.
+double RandomNodes::Number(const Port& port, ir::Scalar scalar, size_t component) {
+  double low = -1, high = 2;
+  if (port.minimum && port.maximum) {
+    low = *port.minimum;
+    high = std::min(*port.maximum, std::max(low + 1, kMostWhole));
+  } else if (port.default_value.valid()) {
+    const auto words = catalog_.Words(port.default_value);
+    const double value = ir::IsFloat(port.type)
+                             ? std::bit_cast<float>(words[component % words.size()])
+                             : static_cast<int32_t>(words[component % words.size()]);
+    low = value == 0 ? 0 : value / 2;
+    high = value == 0 ? 1 : value * 2;
+    if (low > high) std::swap(low, high);
+  }
+  if (scalar == ir::Scalar::kFloat) {
+    if (OneIn(6)) return OneIn(2) ? low : high;
+    const double share = Below(1 << 16) / 65536.0;
+    const double value = low + (high - low) * share * share;
+    if (OneIn(4)) return static_cast<float>(value);
+    return std::clamp(std::round(value * 64) / 64, low, high);
+  }
+  if (scalar == ir::Scalar::kUint) low = std::max(low, 0.0);
+  const double first = std::ceil(low), last = std::max(first, std::floor(high));
+  return first + Below(static_cast<uint32_t>(last - first) + 1);
+}
+
+std::optional<Argument> RandomNodes::Literal(const Port& port) {
+  const ir::TypeId type = port.kind == PortKind::kField ? catalog_.FieldResult(port) : port.type;
+  Argument literal;
+  if (!port.words.empty()) {
+    const blocks::EnumWord& word = port.words[Below(static_cast<uint32_t>(port.words.size()))];
+    literal.kind = Argument::Kind::kString;
+    literal.text = word.word;
+    if (OneIn(8)) {
+      literal.kind = Argument::Kind::kNumber;
+      literal.numbers = {static_cast<double>(word.value)};
+      literal.is_integer = true;
+    }
+    return literal;
+  }
+  const bool vector = ir::IsVector(type);
+  if (!vector && !ir::IsMatrix(type)) return std::nullopt;
+  if (ir::IsBool(type)) {
+    literal.kind = Argument::Kind::kBool;
+    literal.boolean = OneIn(2);
+    return literal;
+  }
+  const ir::Scalar scalar = vector ? ir::ScalarOf(type) : ir::Scalar::kFloat;
+  const bool splat = vector && (ir::IsScalar(type) || OneIn(4));
+  const size_t count = splat ? 1 : catalog_.types().Words(type);
+  literal.kind = splat ? Argument::Kind::kNumber : Argument::Kind::kVector;
+  for (size_t i = 0; i < count; ++i) literal.numbers.push_back(Number(port, scalar, i));
+  // Whole numbers stand for floats, too; then all are written without a point.
+  const bool all_whole = std::ranges::all_of(
+      literal.numbers, [](double number) { return number == std::floor(number); });
+  literal.is_integer = scalar != ir::Scalar::kFloat || (all_whole && OneIn(2));
+  return literal;
+}
+
+Tree RandomNodes::TreeOf(const Argument& literal) {
+  const auto number = [&](double value) {
+    if (literal.is_integer) return Tree::Raw(fmt::format("{:.0f}", value));
+    std::string text = fmt::format("{}", value);
+    return Tree::Raw(text.find_first_of(".e") == std::string::npos ? text + ".0" : text);
+  };
+  switch (literal.kind) {
+    case Argument::Kind::kBool:
+      return Tree::Bool(literal.boolean);
+    case Argument::Kind::kString:
+      return Tree::String(literal.text);
+    case Argument::Kind::kNumber:
+      return number(literal.numbers[0]);
+    case Argument::Kind::kVector:
+      break;
+  }
+  Tree array = Tree::Array();
+  const size_t count = literal.numbers.size();
+  const size_t side = count == 9 ? 3 : count == 16 ? 4 : 0;  // matrices, row by row
+  Tree* row = &array;
+  for (size_t i = 0; i < count; ++i) {
+    if (side > 0 && i % side == 0) row = &array.Add(Tree::Array());
+    row->Add(number(literal.numbers[i]));
+  }
+  return array;
+}
+
+// Documented limits hold for what is connected as far as that is known. A whole number with limits
+// is what divides and counts.
+bool RandomNodes::MayStand(const Port& port, const Thing& thing) {
+  if (!catalog_.Cost(port, thing)) return false;
+  if (thing.kind == Thing::Kind::kConstant) return catalog_.WithinLimits(port, thing.literal);
+  if (thing.kind != Thing::Kind::kValue || !port.minimum || !port.maximum) return true;
+  if (thing.bounded) return thing.minimum >= *port.minimum && thing.maximum <= *port.maximum;
+  return !IsWhole(port.type) || OneIn(kDynamicInt);
+}
+
+const Thing* RandomNodes::Pick(const Port& port) {
+  std::vector<const Thing*> fitting;
+  for (const Thing& thing : things_) {
+    if (MayStand(port, thing)) fitting.push_back(&thing);
+  }
+  if (fitting.empty()) return nullptr;
+  // The newest more often, so that graphs are deep.
+  const auto count = static_cast<uint32_t>(fitting.size());
+  const uint32_t back = OneIn(2) ? Below(count) : Below(std::min(count, 4u));
+  return fitting[count - 1 - back];
+}
+
+std::optional<Tree> RandomNodes::MakeArgument(const Port& port, PortArgument& argument) {
+  argument.port = port.name;
+  const uint32_t chance = port.kind == PortKind::kTemplate ? 4 : 10;
+  const bool connect = port.kind == PortKind::kTemplate ? OneIn(chance) : Below(chance) < 7;
+  if (connect || port.kind == PortKind::kTexture) argument.thing = Pick(port);
+  if (!argument.thing) {
+    if (std::optional<Argument> literal = Literal(port)) {
+      argument.literal = *literal;
+      return TreeOf(argument.literal);
+    }
+    argument.thing = Pick(port);
+  }
+  if (!argument.thing) return std::nullopt;
+  return Tree::String(argument.thing->reference);
+}
+
+std::optional<std::pair<std::string, Tree>> RandomNodes::Bind(const std::string& block,
+                                                              std::span<const Overload> overloads,
+                                                              const Overload& meant,
+                                                              const Overload** chosen) {
+  Tree in = Tree::Object();
+  std::vector<PortArgument> arguments;
+  for (const Port& port : meant.inputs) {
+    if (!IsRequired(port) && OneIn(2)) continue;
+    PortArgument argument;
+    std::optional<Tree> tree = MakeArgument(port, argument);
+    if (!tree && IsRequired(port)) return std::nullopt;
+    if (!tree) continue;
+    in.Set(port.name, std::move(*tree));
+    arguments.push_back(std::move(argument));
+  }
+  *chosen = catalog_.Choose(overloads, arguments);
+  if (!*chosen) return std::nullopt;
+  // The overload that is chosen may have other limits than the one that was meant.
+  for (const PortArgument& argument : arguments) {
+    auto port = std::ranges::find((*chosen)->inputs, argument.port, &Port::name);
+    const Argument* known = !argument.thing ? &argument.literal
+                            : argument.thing->kind == Thing::Kind::kConstant
+                                ? &argument.thing->literal
+                                : nullptr;
+    if (known && !catalog_.WithinLimits(*port, *known)) return std::nullopt;
+  }
+  std::shuffle(in.children.begin(), in.children.end(), random_);
+  return std::pair(block, std::move(in));
+}
+
+bool RandomNodes::WorksOnStructs(const Overload& overload) const {
+  const auto is_struct = [&](const Port& port) {
+    return catalog_.types().Kind(port.type) == ir::TypeKind::kStruct;
+  };
+  return std::ranges::any_of(overload.inputs, is_struct) ||
+         std::ranges::any_of(overload.outputs, is_struct);
+}
+
+std::optional<Tree> RandomNodes::MakeNode(const std::string& name) {
+  // By chance alone a tile would seldom meet a block that takes one.
+  const bool of_structs = OneIn(4);
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    const Overload* chosen = nullptr;
+    std::optional<std::pair<std::string, Tree>> bound;
+    if (!functions_.empty() && OneIn(6)) {
+      const GraphFunction& function = functions_[Below(static_cast<uint32_t>(functions_.size()))];
+      bound = Bind(function.name, {&function.signature, 1}, function.signature, &chosen);
+    } else {
+      const auto& blocks = catalog_.blocks();
+      const blocks::Block& block = *blocks[Below(static_cast<uint32_t>(blocks.size()))];
+      const Overload& meant = block.overloads[Below(static_cast<uint32_t>(block.overloads.size()))];
+      if (!catalog_.Usable(meant) || shadowed_.contains(block.name)) continue;
+      if (of_structs && !WorksOnStructs(meant)) continue;
+      bound = Bind(block.name, block.overloads, meant, &chosen);
+      if (bound) used_blocks_.insert(block.name);
+    }
+    if (!bound) continue;
+    Tree node = Tree::Object();
+    node.Set("block", Tree::String(bound->first));
+    if (!bound->second.empty() || OneIn(2)) node.Set("in", std::move(bound->second));
+    AddOutputs(name, chosen->outputs, Thing::Kind::kValue);
+    return node;
+  }
+  return std::nullopt;
+}
+
+}  // namespace texgraph::fuzz

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// Random nodes of one subgraph, the part of random_graph.h below textures, parameters and
+// functions.
+#pragma once
+
+#include <deque>
+#include <random>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tests/fuzz/block_catalog.h"
+#include "tests/fuzz/document_tree.h"
+
+namespace texgraph::fuzz {
+
+// A graph function that can be used: as a node's block, or at a function port.
+struct GraphFunction {
+  std::string name;
+  blocks::Overload signature;
+};
+
+class RandomNodes {
+ public:
+  // `functions`: those that may be used; `shadowed`: blocks that may not. All must outlive this.
+  RandomNodes(std::mt19937& random, const std::deque<GraphFunction>& functions,
+              const std::set<std::string>& shadowed, std::set<std::string>& used_blocks)
+      : random_(random), functions_(functions), shadowed_(shadowed), used_blocks_(used_blocks) {}
+
+  // Something that may stand at ports from now on.
+  void AddThing(Thing thing) { things_.push_back(std::move(thing)); }
+  void AddOutputs(const std::string& node, const std::vector<blocks::Port>& outputs,
+                  Thing::Kind kind, const blocks::Overload* function = nullptr);
+  // One more node of that name, if one could be made.
+  std::optional<Tree> MakeNode(const std::string& name);
+  // Something to stand at a port, with something connected to it where that can be.
+  std::optional<Tree> MakeArgument(const blocks::Port& port, PortArgument& argument);
+  // A literal for the port. None if its type has none.
+  std::optional<graph::Argument> Literal(const blocks::Port& port);
+  Tree TreeOf(const graph::Argument& literal);
+  const std::deque<Thing>& things() const { return things_; }
+
+  uint32_t Below(uint32_t n) { return static_cast<uint32_t>(random_() % n); }
+  bool OneIn(uint32_t n) { return Below(n) == 0; }
+
+ private:
+  const Thing* Pick(const blocks::Port& port);
+  bool WorksOnStructs(const blocks::Overload& overload) const;
+  bool MayStand(const blocks::Port& port, const Thing& thing);
+  double Number(const blocks::Port& port, ir::Scalar scalar, size_t component);
+  std::optional<std::pair<std::string, Tree>> Bind(const std::string& block,
+                                                   std::span<const blocks::Overload> overloads,
+                                                   const blocks::Overload& meant,
+                                                   const blocks::Overload** chosen);
+
+  std::mt19937& random_;
+  const std::deque<GraphFunction>& functions_;
+  const std::set<std::string>& shadowed_;
+  std::set<std::string>& used_blocks_;
+  BlockCatalog& catalog_ = BlockCatalog::Instance();
+  std::deque<Thing> things_;
+};
+
+}  // namespace texgraph::fuzz
