@@ -10,6 +10,7 @@
 #include "compiler/glsl/legalize.h"
 #include "compiler/glsl/print_glsl.h"
 #include "compiler/ir/print.h"
+#include "compiler/ir/verify.h"
 #include "compiler/manifest/manifest.h"
 #include "compiler/passes/passes.h"
 #include "compiler/spirv/compile_spirv.h"
@@ -48,6 +49,21 @@ std::vector<std::string> Dependencies(const Lowered& lowered, const std::string&
 
 glsl::Dialect DialectOf(Target target) {
   return target == Target::kGlsl330 ? glsl::Dialect::k330 : glsl::Dialect::k450;
+}
+
+// Nothing is printed of a module that breaks the rules: what is written is valid or not there.
+bool IsWellFormed(const ir::Module& module, SourceRange where, Diagnostics& diagnostics) {
+  std::string violation = ir::Verify(module);
+  if (violation.empty()) return true;
+  diagnostics.Error(DiagnosticKind::kInternal, where,
+                    fmt::format("the passes made a wrong module: {}; please report this", Printable(violation, 300)));
+  return false;
+}
+
+// A function as somebody would paste it, as a whole shader.
+std::string Pasted(const std::string& function, glsl::Dialect dialect) {
+  return fmt::format("#version {}\n{}\nvoid main() {{}}\n", dialect == glsl::Dialect::k330 ? "330" : "450 core",
+                     function);
 }
 
 // Appends the module's text to the dump if it was asked for.
@@ -110,7 +126,7 @@ std::optional<Lowered> Lower(SourceId source, graph::DocumentFormat format, cons
 std::optional<Compiled> Compile(SourceId source, graph::DocumentFormat format, const CompileOptions& options,
                                 Sources& sources, Diagnostics& diagnostics) {
   std::optional<Lowered> lowered = Lower(source, format, options, sources, diagnostics);
-  if (!lowered) return std::nullopt;
+  if (!lowered || !IsWellFormed(*lowered->module, lowered->graph->range, diagnostics)) return std::nullopt;
   Compiled compiled;
   compiled.name = lowered->graph->name;
   compiled.dump = std::move(lowered->dump);
@@ -126,6 +142,10 @@ std::optional<Compiled> Compile(SourceId source, graph::DocumentFormat format, c
     auto words = spirv::CompileSpirv(compiled.glsl, diagnostics);
     if (!words) return std::nullopt;
     compiled.spirv = std::move(*words);
+  }
+  if (options.validate && options.target != Target::kSpirv &&
+      !spirv::ValidateGlsl(print.as_function ? Pasted(compiled.glsl, print.dialect) : compiled.glsl, diagnostics)) {
+    return std::nullopt;
   }
   const std::string folder(FolderOf(sources.Name(source)));
   compiled.dependencies = Dependencies(*lowered, folder);

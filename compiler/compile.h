@@ -30,6 +30,7 @@ struct CompileOptions {
   std::vector<std::string> block_folders;  // -I
   std::vector<std::string> settings;     // "name=value", --set
   std::vector<std::string> roots;        // --root: images are read from inside these folders only; none: from anywhere
+  bool validate = false;                 // --validate: GLSL is also shown to glslang, as SPIR-V always is
   // Print the IR after each of these phases into Compiled::dump: "build", "specialize", "simplify", "differentiate",
   // "legalize", or "all".
   std::vector<std::string> dump_after;

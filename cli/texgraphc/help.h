@@ -19,6 +19,7 @@ Output
   --target TARGET       glsl330 (default), glsl450 or spirv
   --emit FORM           shader (default), or function: a GLSL function to paste into a shader of your own
   --set NAME=VALUE      give a parameter another value; may be repeated
+  --validate            show GLSL to glslang before it is written, as SPIR-V always is
   -j N                  compile N graphs at the same time; 0 is one for each core (default: 1)
 
 Input

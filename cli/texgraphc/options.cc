@@ -45,7 +45,7 @@ constexpr auto kSingleDash = std::to_array<std::pair<std::string_view, std::stri
     {{"-MD", "--MD"}, {"-MF", "--MF"}, {"-MT", "--MT"}, {"-Werror", "--Werror"}});
 constexpr auto kLongOptions = std::to_array<std::string_view>(
     {"--manifest", "--target", "--emit", "--set", "--root", "--format", "--color", "--dump-after",
-     "--list-blocks", "--print-reference", "--help", "--version", "-Werror"});
+     "--validate", "--list-blocks", "--print-reference", "--help", "--version", "-Werror"});
 
 // The texts of the options that CLI11 only collects.
 struct Raw {
@@ -98,6 +98,7 @@ void Declare(CLI::App& app, Options& options, Raw& raw) {
   list("-I", options.compile.block_folders);
   list("--root", options.compile.roots);
   text("--format", raw.format);
+  app.add_flag("--validate", options.compile.validate);
   app.add_flag("--MD", options.write_dependencies);
   text("--MF", options.dependency_file);
   text("--MT", options.dependency_target);

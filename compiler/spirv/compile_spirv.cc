@@ -78,4 +78,27 @@ std::optional<std::vector<uint32_t>> CompileSpirv(const std::string& glsl, Diagn
   return words;
 }
 
+bool ValidateGlsl(const std::string& glsl, Diagnostics& diagnostics, SourceRange where) {
+  if (!StartGlslang()) {
+    Fail(where, "glslang does not start", diagnostics);
+    return false;
+  }
+  glslang::TShader shader(EShLangFragment);
+  const char* text = glsl.data();
+  const int length = static_cast<int>(glsl.size());
+  shader.setStringsWithLengths(&text, &length, 1);
+  glslang::TProgram program;
+  std::string problem;
+  if (!shader.parse(GetDefaultResources(), 330, false, EShMsgDefault)) {
+    problem = "glslang refuses the shader: " + FirstLine(shader.getInfoLog());
+  } else {
+    program.addShader(&shader);
+    if (!program.link(EShMsgDefault))
+      problem = "glslang does not link the shader: " + FirstLine(program.getInfoLog());
+  }
+  if (problem.empty()) return true;
+  Fail(where, std::move(problem), diagnostics);
+  return false;
+}
+
 }  // namespace texgraph::spirv

@@ -18,4 +18,8 @@ namespace texgraph::spirv {
 std::optional<std::vector<uint32_t>> CompileSpirv(const std::string& glsl, Diagnostics& diagnostics,
                                                   SourceRange where = {});
 
+// Whether glslang takes `glsl`, a whole fragment shader that says its #version, as OpenGL's. What it
+// says against the shader is reported like above.
+bool ValidateGlsl(const std::string& glsl, Diagnostics& diagnostics, SourceRange where = {});
+
 }  // namespace texgraph::spirv

@@ -54,6 +54,19 @@ TEST_F(Output, DefaultNamesFollowTheGraphTargetAndForm) {
   EXPECT_THAT(folder.Read("wall.spv"), StartsWith("\x03\x02\x23\x07"));
 }
 
+TEST_F(Output, ValidateShowsEveryFormToGlslang) {
+  for (const char* target : {"glsl330", "glsl450", "spirv"}) {
+    for (const char* form : {"shader", "function"}) {
+      if (std::string(target) == "spirv" && std::string(form) == "function") continue;
+      Outcome plain = Run({"wall.json", "-o", "-", "--target", target, "--emit", form});
+      Outcome seen =
+          Run({"wall.json", "-o", "-", "--target", target, "--emit", form, "--validate"});
+      EXPECT_EQ(seen.exit_code, 0) << target << form << seen.error;
+      EXPECT_EQ(seen.out, plain.out);
+    }
+  }
+}
+
 TEST_F(Output, StandardInputAndOutput) {
   Outcome outcome = Run({"-", "-o", "-"}, std::string(kProceduralGraph));
   EXPECT_EQ(outcome.exit_code, 0) << outcome.error;

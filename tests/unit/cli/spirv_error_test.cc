@@ -17,5 +17,20 @@ TEST(CompileSpirv, ReportsWhatGlslangRefuses) {
   EXPECT_THAT(FormatDiagnostics(diagnostics, Sources(), false), testing::HasSubstr("[spirv]"));
 }
 
+TEST(ValidateGlsl, ReportsWhatGlslangRefuses) {
+  Diagnostics good;
+  EXPECT_TRUE(
+      spirv::ValidateGlsl("#version 330\nout vec4 c;\nvoid main() { c = vec4(1.0); }\n", good));
+  EXPECT_TRUE(good.all().empty());
+  for (const char* wrong :
+       {"#version 330\nvoid main() { missing(); }\n",
+        "#version 330\nfloat f(float x);\nvoid main() { f(1.0); }\n",
+        "#version 450 core\nlayout(binding = 0) uniform float x;\nvoid main() {}\n"}) {
+    Diagnostics diagnostics;
+    EXPECT_FALSE(spirv::ValidateGlsl(wrong, diagnostics)) << wrong;
+    EXPECT_EQ(diagnostics.exit_code(), ExitCode::kInternal);
+  }
+}
+
 }  // namespace
 }  // namespace texgraph
