@@ -115,8 +115,8 @@ std::optional<Lowered> Lower(SourceId source, graph::DocumentFormat format, cons
   dump.After("specialize");
   if (options.optimize) passes::Simplify(module);
   dump.After("simplify");
-  passes::Differentiate(module, options.optimize);
-  if (options.optimize) passes::Simplify(module);
+  const std::vector<bool> changed = passes::Differentiate(module, options.optimize);
+  if (options.optimize) passes::Simplify(module, changed);
   dump.After("differentiate");
   if (!glsl::Legalize(module, DialectOf(options.target), diagnostics)) return std::nullopt;
   dump.After("legalize");

@@ -95,11 +95,34 @@ constexpr auto kReserved = std::to_array<std::string_view>({
 });
 static_assert(std::is_sorted(kReserved.begin(), kReserved.end()));
 
+// By first byte, the lengths of the reserved words, and with each the last bytes that they have.
+struct Lengths {
+  static constexpr uint32_t kMost = 32;
+  std::array<std::array<uint32_t, kMost>, 128> last_bytes{};
+
+  constexpr Lengths() {
+    for (std::string_view word : kReserved) {
+      last_bytes[static_cast<unsigned char>(word[0])][word.size()] |= Bit(word);
+    }
+  }
+  static constexpr uint32_t Bit(std::string_view word) { return 1u << (word.back() & 31); }
+  constexpr bool Has(std::string_view name) const {
+    const auto first = static_cast<unsigned char>(name[0]);
+    return first < 128 && name.size() < kMost && (last_bytes[first][name.size()] & Bit(name)) != 0;
+  }
+};
+constexpr Lengths kLengths;
+static_assert(std::ranges::all_of(kReserved, [](std::string_view word) {
+  return word.size() < Lengths::kMost && kLengths.Has(word);
+}));
+
 }  // namespace
 
 bool IsReservedInGlsl(std::string_view name) {
   if (name.starts_with("gl_") || name.starts_with("GL_")) return true;
   if (name.find("__") != std::string_view::npos) return true;
+  // Few words share a first letter and a length, and no name is looked up more often than those that are none of them.
+  if (name.empty() || !kLengths.Has(name)) return false;
   return std::binary_search(kReserved.begin(), kReserved.end(), name);
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "compiler/base/files.h"
+#include "compiler/base/name_map.h"
 #include "compiler/base/text.h"
 #include "compiler/blocks/block.h"
 #include "compiler/blocks/check.h"
@@ -110,6 +111,7 @@ struct Library::Impl : Program {
   }
 
   File* FindFile(std::string_view name) override {
+    if (File** usual = checked.Find(name)) return *usual;
     if (auto known = files.find(name); known != files.end()) {
       // A file that is being checked knows its own functions; nobody else asks for them then.
       return known->second && known->second->valid ? known->second.get() : nullptr;
@@ -123,7 +125,9 @@ struct Library::Impl : Program {
     files.emplace(name, std::move(file));
     if (!result) return nullptr;
     if (!parse_failed) CheckFile(*this, *result);
-    return result->valid ? result : nullptr;
+    if (!result->valid) return nullptr;
+    checked.Add(result->name, result);
+    return result;
   }
 
   // --- Reading ---
@@ -161,6 +165,7 @@ struct Library::Impl : Program {
 
   std::map<std::string, UserFile, std::less<>> user_files;
   std::map<std::string, std::unique_ptr<File>, std::less<>> files;
+  NameMap<File*> checked;  // those that are valid
   std::unique_ptr<File> shared;
   bool shared_tried = false;
   bool parse_failed = false;  // the file that was read last

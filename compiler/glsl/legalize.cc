@@ -91,7 +91,7 @@ class Legalizer : public ir::Rebuilder {
 
  protected:
   ValueId Copy(ValueId old) override;
-  std::vector<ValueId> CopyCall(ValueId old) override;
+  void CopyCall(ValueId old, std::span<ValueId> results) override;
 
  private:
   ValueId Input(GlobalId id);
@@ -206,18 +206,11 @@ ValueId Legalizer::Index(ValueId old) {
   return to_.Emit(Op::kIndex, from_[old].type, {Get(operands[0]), index});
 }
 
-std::vector<ValueId> Legalizer::CopyCall(ValueId old) {
+void Legalizer::CopyCall(ValueId old, std::span<ValueId> results) {
   const Inst& inst = from_[old];
   std::vector<ValueId> arguments = GetAll(from_.Operands(inst));
   for (GlobalId input : inputs_[inst.aux]) arguments.push_back(Input(input));
-  ValueId call = to_.Call(FunctionId(inst.aux), arguments);
-  uint32_t count = live_.ResultCount(old);
-  if (count == 1) return {call};
-  std::vector<ValueId> results(count);
-  for (uint32_t i = 0; i < count; ++i) {
-    if (live_.LiveResult(old, i)) results[i] = to_.Extract(call, i);
-  }
-  return results;
+  TakeResults(old, to_.Call(FunctionId(inst.aux), arguments), results);
 }
 
 void LegalizeFunction(ir::Module& module, FunctionId id, Dialect dialect, const InputUse& inputs) {

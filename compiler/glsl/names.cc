@@ -38,13 +38,13 @@ void AppendComment(std::string_view text, std::string& out) {
 // --- NameTable ---------------------------------------------------------------------------------
 
 bool NameTable::IsFree(std::string_view name) const {
-  return !taken_.contains(name) && !(unwanted_ && unwanted_(name)) && !IsReservedInGlsl(name);
+  return !IsTaken(name) && !(unwanted_ && unwanted_(name)) && !IsReservedInGlsl(name);
 }
 
 std::string_view NameTable::Add(std::string name) {
   texts_.push_back(std::move(name));
   std::string_view text = texts_.back();
-  ++taken_[text];
+  ++*taken_.Add(text, 0).first;
   log_.push_back(text);
   return text;
 }
@@ -71,8 +71,7 @@ void NameTable::Close() {
   Mark mark = marks_.back();
   marks_.pop_back();
   while (log_.size() > mark.names) {
-    auto known = taken_.find(log_.back());
-    if (--known->second == 0) taken_.erase(known);
+    --*taken_.Find(log_.back());
     log_.pop_back();
   }
   while (number_log_.size() > mark.numbers) {

@@ -11,6 +11,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "compiler/base/name_map.h"
 #include "compiler/ir/module.h"
 
 namespace texgraph::glsl {
@@ -36,7 +37,10 @@ class NameTable {
   // Makes a name unavailable.
   void Block(std::string_view name) { Add(std::string(name)); }
   bool IsFree(std::string_view name) const;
-  bool IsTaken(std::string_view name) const { return taken_.contains(name); }
+  bool IsTaken(std::string_view name) const {
+    const uint32_t* count = taken_.Find(name);
+    return count && *count > 0;
+  }
   // Names for which `unwanted` holds are not given either.
   void Avoid(std::function<bool(std::string_view)> unwanted) { unwanted_ = std::move(unwanted); }
 
@@ -50,8 +54,8 @@ class NameTable {
   };
   std::string_view Add(std::string name);
 
-  std::deque<std::string> texts_;                         // stay, for the views that were given out
-  std::unordered_map<std::string_view, uint32_t> taken_;  // how often
+  std::deque<std::string> texts_;  // stay, for the views that were given out
+  NameMap<uint32_t> taken_;        // how often
   std::unordered_map<std::string_view, uint32_t> next_number_;
   std::vector<std::string_view> log_;
   std::vector<std::pair<std::string_view, uint32_t>> number_log_;  // and the value before

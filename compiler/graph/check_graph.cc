@@ -77,8 +77,8 @@ std::unordered_map<std::string_view, const Setting*> GraphChecker::FindSettings(
     const std::vector<Setting>& settings) {
   std::unordered_map<std::string_view, const Setting*> by_name;
   for (const Setting& setting : settings) {
-    auto known = check_.globals.find(setting.name);
-    if (known != check_.globals.end() && known->second.kind == Symbol::Kind::kParameter) {
+    const Symbol* known = check_.globals.Find(setting.name);
+    if (known && known->kind == Symbol::Kind::kParameter) {
       by_name[setting.name] = &setting;
       continue;
     }

@@ -66,8 +66,8 @@ CheckedNode SubgraphChecker::BindNode(uint32_t index) {
   checked.block = state.block;
   if (state.function) checked.function = CheckedFunction(*state.function);
   if (state.candidates.empty()) return checked;
-  std::vector<Resolved> arguments;
-  arguments.reserve(node.inputs.size());
+  std::vector<Resolved>& arguments = arguments_;
+  arguments.clear();
   for (const Input& input : node.inputs) arguments.push_back(Resolve(input.argument));
   const Overload* overload = Choose(index, arguments);
   if (!overload) return checked;

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <string>
-#include <unordered_map>
 #include <utility>
 
+#include "compiler/base/name_map.h"
 #include "compiler/graph/encoding.h"
 #include "compiler/graph/json.h"
 #include "compiler/graph/yaml.h"
@@ -33,11 +33,11 @@ void FindDuplicateKeys(const Document& document, const DocumentNode& object,
     }
     return;
   }
-  std::unordered_map<std::string_view, const DocumentNode*> seen;
-  seen.reserve(object.child_count);
+  NameMap<const DocumentNode*> seen;
+  seen.Reserve(object.child_count);
   for (const DocumentNode& child : document.children(object)) {
-    auto [first, fresh] = seen.emplace(child.key, &child);
-    if (!fresh) out.emplace_back(&child, first->second);
+    auto [first, fresh] = seen.Add(child.key, &child);
+    if (!fresh) out.emplace_back(&child, *first);
   }
 }
 

@@ -20,6 +20,12 @@ bool IsWordStart(char c) {
 }
 bool IsWord(char c) { return IsWordStart(c) || (c >= '0' && c <= '9'); }
 
+constexpr std::array<bool, 256> kIsSpace = [] {
+  std::array<bool, 256> is{};
+  is[' '] = is['\n'] = is['\r'] = is['\t'] = true;
+  return is;
+}();
+
 // The bytes that end the plain part of a string: quote, backslash, control characters.
 constexpr std::array<bool, 256> kStopsString = [] {
   std::array<bool, 256> stops{};
@@ -104,17 +110,14 @@ std::string_view JsonReader::Word() const {
 }
 
 bool JsonReader::SkipSpace() {
-  while (!AtEnd()) {
-    char c = text_[at_];
-    if (c == ' ' || c == '\n' || c == '\r' || c == '\t') {
-      ++at_;
-    } else if (c == '/' || c == '#') {
-      if (!SkipComment()) return false;
-    } else {
-      break;
-    }
+  while (true) {
+    size_t at = at_;
+    while (at < text_.size() && kIsSpace[static_cast<uint8_t>(text_[at])]) ++at;
+    at_ = at;
+    const char c = Peek();
+    if (c != '/' && c != '#') return true;
+    if (!SkipComment()) return false;
   }
-  return true;
 }
 
 bool JsonReader::SkipComment() {
@@ -201,7 +204,9 @@ bool JsonReader::ReadString(std::string_view& out, SourceRange& range) {
   std::string copy;
   bool escaped = false;
   while (true) {
-    while (!AtEnd() && !kStopsString[static_cast<uint8_t>(text_[at_])]) ++at_;
+    size_t at = at_;
+    while (at < text_.size() && !kStopsString[static_cast<uint8_t>(text_[at])]) ++at;
+    at_ = at;
     char c = Peek();
     if (c == '"') break;
     if (c == '\\') {

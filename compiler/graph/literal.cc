@@ -3,8 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "compiler/graph/conversion.h"
@@ -164,7 +167,10 @@ std::optional<ir::ConstId> MakeLiteral(const Argument& argument, ir::TypeId type
   auto mismatch = [&] { return ReportMismatch(argument, type, place, types, diagnostics); };
   std::optional<ir::Scalar> scalar = ScalarOfWords(type, types);
   if (!scalar || argument.kind == Argument::Kind::kString) return mismatch();
-  std::vector<uint32_t> words(types.Words(type), argument.boolean ? 1 : 0);
+  std::array<uint32_t, 16> few;
+  std::vector<uint32_t> many(types.Words(type) > few.size() ? types.Words(type) : 0);
+  const std::span<uint32_t> words(many.empty() ? few.data() : many.data(), types.Words(type));
+  std::ranges::fill(words, argument.boolean ? 1 : 0);
   if (argument.kind == Argument::Kind::kBool) {
     if (!LiteralCost(argument, type, types)) return mismatch();
     return module.Intern(type, words);

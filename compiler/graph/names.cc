@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <unordered_map>
 
+#include "compiler/base/name_map.h"
 #include "compiler/base/text.h"
 #include "compiler/graph/graph.h"
 
@@ -39,31 +39,30 @@ struct Owner {
   std::string_view kind;  // "parameter"
   SourceRange range;
 };
-using Namespace = std::unordered_map<std::string_view, Owner>;
+using Namespace = NameMap<Owner>;
 
 // Adds a name, or reports that it is taken. Names of equal kind in one object are equal keys, which
 // were reported as such.
 void AddName(Namespace& names, std::string_view name, Owner owner, Diagnostics& diagnostics) {
-  auto [known, fresh] = names.emplace(name, owner);
-  if (fresh || known->second.kind == owner.kind) return;
+  auto [known, fresh] = names.Add(name, owner);
+  if (fresh || known->kind == owner.kind) return;
   Diagnostic& error = diagnostics.Error(
       DiagnosticKind::kDuplicateName, owner.range,
-      fmt::format("{} '{}' has the name of a {}", owner.kind, name, known->second.kind));
-  if (known->second.range.source.valid()) {
-    error.AddNote(known->second.range, fmt::format("the {} is here", known->second.kind));
+      fmt::format("{} '{}' has the name of a {}", owner.kind, name, known->kind));
+  if (known->range.source.valid()) {
+    error.AddNote(known->range, fmt::format("the {} is here", known->kind));
   }
 }
 
 void CheckFunction(const Subgraph& function, const Namespace& globals, Diagnostics& diagnostics) {
   Namespace names;
   for (const FunctionInput& input : function.inputs) {
-    auto global = globals.find(input.name);
-    bool replaces = global != globals.end() && global->second.kind == "built-in input";
-    if (global != globals.end() && !replaces) names.insert(*global);
+    const Owner* global = globals.Find(input.name);
+    if (global && global->kind != "built-in input") names.Add(input.name, *global);
     AddName(names, input.name, {"function input", input.range}, diagnostics);
   }
   for (const Node& node : function.nodes) {
-    if (auto global = globals.find(node.name); global != globals.end()) names.insert(*global);
+    if (const Owner* global = globals.Find(node.name)) names.Add(node.name, *global);
     AddName(names, node.name, {"node", node.range}, diagnostics);
   }
 }
@@ -97,9 +96,9 @@ std::string NameOfFile(std::string_view path) {
 
 void CheckNamespace(const Graph& graph, Diagnostics& diagnostics) {
   Namespace names;
-  names.reserve(graph.main.nodes.size() + graph.parameters.size() + graph.textures.size() + 16);
+  names.Reserve(graph.main.nodes.size() + graph.parameters.size() + graph.textures.size() + 16);
   for (const BuiltinInput& input : kBuiltinInputs) {
-    names.emplace(input.name, Owner{"built-in input", {}});
+    names.Add(input.name, {"built-in input", {}});
   }
   for (const Parameter& parameter : graph.parameters) {
     AddName(names, parameter.name, {"parameter", parameter.range}, diagnostics);

@@ -9,8 +9,11 @@ namespace {
 
 template <class T>
 void AddAll(const std::vector<T>& things, Symbol::Kind kind, SymbolTable& table) {
-  for (uint32_t i = 0; i < things.size(); ++i)
-    table.insert_or_assign(things[i].name, Symbol{kind, i});
+  for (uint32_t i = 0; i < things.size(); ++i) {
+    // The last of equal names, which were reported, is meant.
+    auto [symbol, added] = table.Add(things[i].name, {kind, i});
+    if (!added) *symbol = {kind, i};
+  }
 }
 
 }  // namespace
@@ -36,7 +39,7 @@ std::string_view KindText(Symbol::Kind kind) {
 SymbolTable GlobalSymbols(const Graph& graph) {
   SymbolTable table;
   for (uint32_t i = 0; i < std::size(kBuiltinInputs); ++i) {
-    table.emplace(kBuiltinInputs[i].name, Symbol{Symbol::Kind::kBuiltin, i});
+    table.Add(kBuiltinInputs[i].name, {Symbol::Kind::kBuiltin, i});
   }
   AddAll(graph.parameters, Symbol::Kind::kParameter, table);
   AddAll(graph.textures, Symbol::Kind::kTexture, table);
@@ -46,14 +49,14 @@ SymbolTable GlobalSymbols(const Graph& graph) {
 
 Scope::Scope(const SymbolTable& globals, const Subgraph& subgraph)
     : globals_(globals), subgraph_(subgraph) {
-  locals_.reserve(subgraph.nodes.size() + subgraph.inputs.size());
+  locals_.Reserve(subgraph.nodes.size() + subgraph.inputs.size());
   AddAll(subgraph.inputs, Symbol::Kind::kFunctionInput, locals_);
   AddAll(subgraph.nodes, Symbol::Kind::kNode, locals_);
 }
 
 std::optional<Symbol> Scope::Find(std::string_view name) const {
-  if (auto local = locals_.find(name); local != locals_.end()) return local->second;
-  if (auto global = globals_.find(name); global != globals_.end()) return global->second;
+  if (const Symbol* local = locals_.Find(name)) return *local;
+  if (const Symbol* global = globals_.Find(name)) return *global;
   return std::nullopt;
 }
 
@@ -63,7 +66,7 @@ std::vector<std::string_view> Scope::Names() const {
   for (const Node& node : subgraph_.nodes) names.push_back(node.name);
   for (const FunctionInput& input : subgraph_.inputs) names.push_back(input.name);
   std::vector<std::string_view> globals;
-  for (const auto& [name, symbol] : globals_) globals.push_back(name);
+  for (const SymbolTable::Entry& global : globals_.entries()) globals.push_back(global.name);
   std::ranges::sort(globals);
   names.insert(names.end(), globals.begin(), globals.end());
   return names;

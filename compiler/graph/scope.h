@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
+#include "compiler/base/name_map.h"
 #include "compiler/graph/graph.h"
 
 namespace texgraph::graph {
@@ -21,7 +21,7 @@ struct Symbol {
 
 std::string_view KindText(Symbol::Kind kind);  // "built-in input", "parameter", ...
 
-using SymbolTable = std::unordered_map<std::string_view, Symbol>;
+using SymbolTable = NameMap<Symbol>;
 
 // Built-in inputs, parameters, textures and functions.
 SymbolTable GlobalSymbols(const Graph& graph);

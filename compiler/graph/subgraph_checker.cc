@@ -49,9 +49,9 @@ void SubgraphChecker::FindBlocks() {
   for (size_t i = 0; i < nodes_.size(); ++i) {
     const Node& node = subgraph_.nodes[i];
     NodeState& state = nodes_[i];
-    auto known = check_.globals.find(node.block);
-    if (known != check_.globals.end() && known->second.kind == Symbol::Kind::kFunction) {
-      state.function = known->second.index;
+    const Symbol* known = check_.globals.Find(node.block);
+    if (known && known->kind == Symbol::Kind::kFunction) {
+      state.function = known->index;
       state.candidates = {&check_.signatures[*state.function], 1};
     } else if (const blocks::Block* block = check_.library.Find(node.block)) {
       state.block = block;

@@ -162,6 +162,7 @@ class SubgraphChecker {
   std::vector<NodeState> nodes_;
   // Where node i of the subgraph stands in the checked subgraph.
   std::vector<uint32_t> position_;
+  std::vector<Resolved> arguments_;  // of the node that is being bound
 };
 
 }  // namespace texgraph::graph

@@ -59,9 +59,26 @@ Builder::Builder(Module& module, Function& function, BuilderOptions options)
 // --- Constants ---------------------------------------------------------------------------------------------------
 
 ValueId Builder::Const(ConstId id) {
-  auto [known, added] = constants_.try_emplace(id);
-  if (added) known->second = Append(Op::kConst, module_.constant(id).type, {}, id.index, false);
-  return known->second;
+  if (2 * constant_count_ >= constant_slots_.size()) {
+    std::vector<ValueId> old(std::max<size_t>(16, 4 * constant_slots_.size()));
+    old.swap(constant_slots_);
+    for (ValueId v : old) {
+      if (v) ConstantSlot(ConstId((*this)[v].aux)) = v;
+    }
+  }
+  ValueId& known = ConstantSlot(id);
+  if (!known) {
+    known = Append(Op::kConst, module_.constant(id).type, {}, id.index, false);
+    ++constant_count_;
+  }
+  return known;
+}
+
+ValueId& Builder::ConstantSlot(ConstId id) {
+  const size_t mask = constant_slots_.size() - 1;
+  size_t slot = id.index * 0x9e3779b9u & mask;
+  while (constant_slots_[slot] && (*this)[constant_slots_[slot]].aux != id.index) slot = (slot + 1) & mask;
+  return constant_slots_[slot];
 }
 
 ValueId Builder::Const(TypeId type, std::span<const uint32_t> words) {
@@ -114,7 +131,7 @@ ValueId Builder::Append(Op op, TypeId type, std::span<const ValueId> operands, u
   inst.first_operand = static_cast<uint32_t>(function_.operands.size());
   inst.aux = aux;
   // `operands` may point into function_.operands itself, which may move.
-  std::array<ValueId, 4> few;
+  std::array<ValueId, 16> few;
   if (operands.size() <= few.size()) {
     std::ranges::copy(operands, few.begin());
     function_.operands.insert(function_.operands.end(), few.begin(), few.begin() + operands.size());
@@ -124,8 +141,8 @@ ValueId Builder::Append(Op op, TypeId type, std::span<const ValueId> operands, u
   }
   ValueId v(function_.insts.size());
   function_.insts.push_back(inst);
-  function_.origins.resize(function_.insts.size());
-  function_.origins.back() = origin_;
+  function_.origins.resize(v.index);  // of parsed functions, which have none
+  function_.origins.push_back(origin_);
   if (in_body) function_.regions[open_.back().index].body.push_back(v);
   return v;
 }

@@ -7,7 +7,6 @@
 #include <initializer_list>
 #include <span>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
 #include "compiler/ir/module.h"
@@ -121,7 +120,10 @@ class Builder {
   std::vector<RegionId> open_;              // innermost last
   std::vector<size_t> scope_marks_;         // into scope_log_, one per open region
   std::vector<uint32_t> scope_log_;         // buckets that entries were added to
-  std::unordered_map<ConstId, ValueId> constants_;
+  // The function's constants: open addressing by ConstId, a power of two of slots.
+  std::vector<ValueId> constant_slots_;
+  size_t constant_count_ = 0;
+  ValueId& ConstantSlot(ConstId id);
   // A chained hash table whose entries are undone when their region closes.
   struct Entry {
     uint64_t hash;

@@ -8,8 +8,8 @@ namespace {
 
 uint64_t HashWords(TypeId type, std::span<const uint32_t> words) {
   uint64_t hash = type.index * 0x9e3779b97f4a7c15ull;
-  for (uint32_t word : words) hash = (hash ^ word) * 0x100000001b3ull + (hash >> 29);
-  return hash;
+  for (uint32_t word : words) hash = (hash ^ word) * 0x9e3779b97f4a7c15ull + (hash >> 29);
+  return hash >> 32;
 }
 
 }  // namespace
@@ -21,24 +21,33 @@ uint32_t ForLoop::Trips() const {
 }
 
 ConstId Module::Intern(TypeId type, std::span<const uint32_t> words) {
-  uint64_t hash = HashWords(type, words);
-  auto [begin, end] = constant_index_.equal_range(hash);
-  for (auto it = begin; it != end; ++it) {
-    const Constant& known = constants_[it->second.index];
-    if (known.type == type && std::ranges::equal(Words(it->second), words)) return it->second;
+  if (2 * constants_.size() >= constant_slots_.size()) {
+    constant_slots_.assign(std::max<size_t>(64, 4 * constant_slots_.size()), ConstId());
+    for (size_t i = 0; i < constants_.size(); ++i) {
+      ConstantSlot(constants_[i].type, Words(ConstId(i))) = ConstId(i);
+    }
   }
+  ConstId& known = ConstantSlot(type, words);
+  if (known) return known;
+  known = ConstId(constants_.size());
   constants_.push_back({type, static_cast<uint32_t>(words_.size())});
   words_.insert(words_.end(), words.begin(), words.end());
-  ConstId id(constants_.size() - 1);
-  constant_index_.emplace(hash, id);
-  return id;
+  return known;
+}
+
+ConstId& Module::ConstantSlot(TypeId type, std::span<const uint32_t> words) {
+  const size_t mask = constant_slots_.size() - 1;
+  for (size_t slot = HashWords(type, words) & mask;; slot = (slot + 1) & mask) {
+    ConstId& id = constant_slots_[slot];
+    if (!id || (constants_[id.index].type == type && std::ranges::equal(Words(id), words))) return id;
+  }
 }
 
 NameId Module::InternName(std::string_view name) {
-  if (auto known = name_index_.find(name); known != name_index_.end()) return known->second;
+  if (const NameId* known = name_index_.Find(name)) return *known;
   names_.emplace_back(name);
   NameId id(names_.size() - 1);
-  name_index_.emplace(names_.back(), id);
+  name_index_.Add(names_.back(), id);
   return id;
 }
 

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "compiler/base/ids.h"
+#include "compiler/base/name_map.h"
 #include "compiler/ir/op.h"
 #include "compiler/ir/type.h"
 
@@ -153,9 +154,11 @@ class Module {
  private:
   std::vector<Constant> constants_;
   std::vector<uint32_t> words_;
-  std::unordered_multimap<uint64_t, ConstId> constant_index_;
+  // Open addressing by what a constant is, a power of two of slots.
+  std::vector<ConstId> constant_slots_;
+  ConstId& ConstantSlot(TypeId type, std::span<const uint32_t> words);
   std::deque<std::string> names_;
-  std::unordered_map<std::string_view, NameId> name_index_;
+  NameMap<NameId> name_index_;
 };
 
 }  // namespace texgraph::ir

@@ -143,14 +143,13 @@ std::vector<ValueId> Rebuilder::GetAll(std::span<const ValueId> old) {
   return now;
 }
 
-void Rebuilder::SetResults(ValueId old, std::vector<ValueId> results) {
-  if (results.size() == 1) Set(old, results[0]);
-  results_[old] = std::move(results);
+void Rebuilder::SetResults(ValueId old, std::span<const ValueId> results) {
+  if (results.size() == 1) return Set(old, results[0]);
+  first_result_[old] = static_cast<uint32_t>(results_.size());
+  results_.insert(results_.end(), results.begin(), results.end());
 }
 
-void Rebuilder::SetOrigin(ValueId old) {
-  if (keeps_names_) to_.SetOrigin(from_.OriginOf(old));
-}
+void Rebuilder::SetOrigin(ValueId old) { to_.SetOrigin(from_.OriginOf(old)); }
 
 void Rebuilder::CopyOne(ValueId old) {
   const Inst& inst = from_[old];
@@ -158,20 +157,20 @@ void Rebuilder::CopyOne(ValueId old) {
   switch (inst.op) {
     case Op::kIf: SetResults(old, CopyIf(old)); break;
     case Op::kFor: SetResults(old, CopyFor(old)); break;
-    case Op::kCall: SetResults(old, CopyCall(old)); break;
+    case Op::kCall: CopyCallResults(old); break;
     case Op::kExtract: {
-      auto many = results_.find(from_.Operands(inst)[0]);
-      if (many == results_.end() || many->second.size() == 1) {
+      auto many = first_result_.find(from_.Operands(inst)[0]);
+      if (many == first_result_.end()) {
         Set(old, Copy(old));
         break;
       }
-      Set(old, many->second[inst.aux]);
+      Set(old, results_[many->second + inst.aux]);
       TookResult(old);
       break;
     }
     default: Set(old, Copy(old)); break;
   }
-  if (keeps_names_ && Get(old)) to_.Name(Get(old), from_.NameOf(old));
+  if (Get(old)) to_.Name(Get(old), from_.NameOf(old));
 }
 
 ValueId Rebuilder::Copy(ValueId old) {
@@ -183,16 +182,25 @@ ValueId Rebuilder::Copy(ValueId old) {
   return to_.Emit(inst.op, inst.type, std::span<const ValueId>(few.data(), operands.size()), inst.aux);
 }
 
-std::vector<ValueId> Rebuilder::CopyCall(ValueId old) {
+void Rebuilder::CopyCallResults(ValueId old) {
+  std::array<ValueId, 8> few;
+  const uint32_t count = live_.ResultCount(old);
+  std::vector<ValueId> many(count > few.size() ? count : 0);
+  const std::span<ValueId> results(many.empty() ? few.data() : many.data(), count);
+  CopyCall(old, results);
+  SetResults(old, results);
+}
+
+void Rebuilder::CopyCall(ValueId old, std::span<ValueId> results) {
   const Inst& inst = from_[old];
-  ValueId call = to_.Call(FunctionId(inst.aux), GetAll(from_.Operands(inst)));
-  uint32_t count = live_.ResultCount(old);
-  if (count == 1) return {call};
-  std::vector<ValueId> results(count);
+  TakeResults(old, to_.Call(FunctionId(inst.aux), GetAll(from_.Operands(inst))), results);
+}
+
+void Rebuilder::TakeResults(ValueId old, ValueId call, std::span<ValueId> results) {
+  const uint32_t count = static_cast<uint32_t>(results.size());
   for (uint32_t i = 0; i < count; ++i) {
-    if (live_.LiveResult(old, i)) results[i] = to_.Extract(call, i);
+    if (live_.LiveResult(old, i)) results[i] = to_.Result(call, i, count);
   }
-  return results;
 }
 
 std::vector<ValueId> Rebuilder::CopyIf(ValueId old) {
@@ -274,11 +282,11 @@ std::vector<ValueId> Rebuilder::CopyFor(ValueId old) {
   } else {
     loop.body = to_.BeginRegion();
     Set(body.params[0], to_.AddRegionParameter(kInt));
-    if (keeps_names_) to_.Name(Get(body.params[0]), from_.NameOf(body.params[0]));
+    to_.Name(Get(body.params[0]), from_.NameOf(body.params[0]));
     for (uint32_t i : kept) {
       ValueId param = body.params[i + 1];
       Set(param, to_.AddRegionParameter(from_[param].type));
-      if (keeps_names_) to_.Name(Get(param), from_.NameOf(param));
+      to_.Name(Get(param), from_.NameOf(param));
     }
     CopyRegion(from_.loops[inst.aux].body);
     std::vector<ValueId> next;
@@ -294,14 +302,29 @@ std::vector<ValueId> Rebuilder::CopyFor(ValueId old) {
   return results;
 }
 
-std::vector<ValueId> CopyInline(Module& module, const Function& callee, std::span<const ValueId> arguments,
-                                Builder& to) {
-  Liveness live(module, callee);
-  Rebuilder copy(module, callee, live, to);
-  copy.set_keeps_names(false);
-  for (size_t i = 0; i < arguments.size(); ++i) copy.Set(callee.Body().params[i], arguments[i]);
-  copy.CopyRegion(callee.body);
-  return copy.GetAll(callee.Body().results);
+void CopyInline(const Function& callee, std::span<const ValueId> arguments, Builder& to, std::span<ValueId> results) {
+  const Region& body = callee.Body();
+  // Small functions are what is copied so: their values fit here.
+  std::array<ValueId, 64> few;
+  std::vector<ValueId> many(callee.insts.size() > few.size() ? callee.insts.size() : 0);
+  ValueId* const map = many.empty() ? few.data() : many.data();
+  std::array<ValueId, 8> few_operands;
+  std::vector<ValueId> many_operands;
+  for (size_t i = 0; i < arguments.size(); ++i) map[body.params[i].index] = arguments[i];
+  auto get = [&](ValueId old) {
+    ValueId& now = map[old.index];
+    if (!now) now = to.Const(ConstId(callee[old].aux));
+    return now;
+  };
+  for (ValueId v : body.body) {
+    const Inst& inst = callee[v];
+    many_operands.resize(inst.operand_count > few_operands.size() ? inst.operand_count : 0);
+    const std::span<ValueId> operands(many_operands.empty() ? few_operands.data() : many_operands.data(),
+                                      inst.operand_count);
+    for (size_t i = 0; i < operands.size(); ++i) operands[i] = get(callee.Operands(inst)[i]);
+    map[v.index] = to.Emit(inst.op, inst.type, operands, inst.aux);
+  }
+  for (size_t i = 0; i < results.size(); ++i) results[i] = get(body.results[i]);
 }
 
 Function TakeFunction(Module& module, FunctionId id) {

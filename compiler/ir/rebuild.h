@@ -69,9 +69,6 @@ class Rebuilder {
   void CopyFunction();
   // Copies the live part of a region's body to where the builder stands.
   void CopyRegion(RegionId region);
-  // Without names, values copied from here on get neither from's names nor its origins, but the builder's present origin: for
-  // bodies that are copied into their callers.
-  void set_keeps_names(bool keeps) { keeps_names_ = keeps; }
   void Set(ValueId old, ValueId now) { map_[old.index] = now; }
   // The copy of `old`; constants are copied when they are first asked for.
   ValueId Get(ValueId old);
@@ -80,8 +77,8 @@ class Rebuilder {
  protected:
   // The copy of one instruction that is no constant, parameter, if, loop or call. The default emits the same operation.
   virtual ValueId Copy(ValueId old);
-  // The results of a copied call, by their index in `from`; dead ones may be left invalid.
-  virtual std::vector<ValueId> CopyCall(ValueId old);
+  // Fills in the results of a copied call, by their index in `from`; dead ones may be left invalid.
+  virtual void CopyCall(ValueId old, std::span<ValueId> results);
   virtual std::vector<ValueId> CopyIf(ValueId old);
   virtual std::vector<ValueId> CopyFor(ValueId old);
   // Called around the copy of each side of an if that stays one: inside, its condition is `taken`.
@@ -95,23 +92,24 @@ class Rebuilder {
   const Liveness& live_;
   Builder& to_;
 
-  // The results of a copied call, if or loop; the only one is also what Get gives.
-  void SetResults(ValueId old, std::vector<ValueId> results);
-  const std::vector<ValueId>& Results(ValueId old) const { return results_.at(old); }
+  // The live results of a call in the new function.
+  void TakeResults(ValueId old, ValueId call, std::span<ValueId> results);
 
  private:
   void CopyOne(ValueId old);
-
+  void CopyCallResults(ValueId old);
+  void SetResults(ValueId old, std::span<const ValueId> results);
   void SetOrigin(ValueId old);
 
-  bool keeps_names_ = true;
   std::vector<ValueId> map_;
-  std::unordered_map<ValueId, std::vector<ValueId>> results_;
+  // Several results of one call, if or loop stand one behind the other.
+  std::unordered_map<ValueId, uint32_t> first_result_;
+  std::vector<ValueId> results_;
 };
 
-// Copies the body of `callee` to where the builder stands, without its names, and returns its results.
-std::vector<ValueId> CopyInline(Module& module, const Function& callee, std::span<const ValueId> arguments,
-                                Builder& to);
+// Copies the body of `callee`, which has neither ifs nor loops, to where the builder stands, without its names, and fills in
+// its results.
+void CopyInline(const Function& callee, std::span<const ValueId> arguments, Builder& to, std::span<ValueId> results);
 
 // Replaces module[id] by an empty function with the same name, display name and origin, and returns the old one.
 Function TakeFunction(Module& module, FunctionId id);

@@ -83,6 +83,9 @@ class Walk {
 
 }  // namespace
 
-std::vector<bool> NeededParameters(const graph::CheckedGraph& graph) { return Walk(graph).Run(); }
+std::vector<bool> NeededParameters(const graph::CheckedGraph& graph) {
+  if (graph.parameters.empty()) return {};
+  return Walk(graph).Run();
+}
 
 }  // namespace texgraph::manifest

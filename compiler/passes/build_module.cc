@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -167,6 +166,7 @@ class Scope {
   std::array<ValueId, kBuiltinCount> builtins_;
   std::vector<ValueId> inputs_;
   std::vector<std::vector<ValueId>> outputs_;  // by node, empty until it was emitted
+  std::vector<bool> needed_;                   // by node: it will be emitted, or was
   std::vector<Capture> captures_;
   std::map<Capture, ValueId> captured_;
 };
@@ -309,14 +309,18 @@ void Scope::PushNeeds(uint32_t node, std::vector<uint32_t>& stack) {
 
 // Emits a node after all that it needs, in the graph's order, without recursion: chains may be long.
 void Scope::EmitWithNeeds(uint32_t node) {
-  std::set<uint32_t> needed;
+  std::vector<uint32_t> needed;
   std::vector<uint32_t> stack{node};
+  needed_.resize(subgraph_.nodes.size());
   while (!stack.empty()) {
     uint32_t next = stack.back();
     stack.pop_back();
-    if (!outputs_[next].empty() || IsCaptured(next) || !needed.insert(next).second) continue;
+    if (needed_[next] || !outputs_[next].empty() || IsCaptured(next)) continue;
+    needed_[next] = true;
+    needed.push_back(next);
     PushNeeds(next, stack);
   }
+  std::ranges::sort(needed);
   for (uint32_t next : needed) Emit(next);
 }
 
@@ -346,6 +350,7 @@ void Scope::Emit(uint32_t index) {
 void Scope::EmitBlock(const CheckedNode& node, std::vector<ValueId>& outputs) {
   std::vector<ir::ConstId> template_values;
   std::vector<ValueId> arguments;
+  arguments.reserve(node.inputs.size());
   for (size_t i = 0; i < node.inputs.size(); ++i) {
     const blocks::Port& port = node.overload->inputs[i];
     if (port.kind == blocks::PortKind::kTemplate) {
@@ -360,6 +365,7 @@ void Scope::EmitBlock(const CheckedNode& node, std::vector<ValueId>& outputs) {
   if (program_.failed) return;
   ValueId call = builder_.Call(callee, arguments);
   uint32_t count = static_cast<uint32_t>(node.overload->outputs.size());
+  outputs.reserve(count);
   for (uint32_t i = 0; i < count; ++i) outputs.push_back(builder_.Result(call, i, count));
 }
 

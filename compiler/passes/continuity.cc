@@ -65,6 +65,7 @@ class ContinuityScan {
   Leaves& leaves_;
   const ir::Function& function_;
   FunctionContinuity& out_;
+  std::vector<Continuity> arguments_;  // of one call at a time
 };
 
 void ContinuityScan::Run(const std::vector<Continuity>& parameters, bool uniform_flow) {
@@ -217,24 +218,25 @@ void ContinuityScan::VisitFor(ValueId v) {
 }
 
 void ContinuityScan::VisitCall(ValueId v, bool uniform_flow) {
-  std::vector<Continuity> arguments;
+  arguments_.clear();
   for (ValueId operand : function_.Operands(v)) {
-    for (Continuity leaf : States(operand)) arguments.push_back(leaf);
+    for (Continuity leaf : States(operand)) arguments_.push_back(leaf);
   }
   const FunctionContinuity& callee =
-      table_.Of(ir::FunctionId(function_[v].aux), arguments, uniform_flow);
-  out_.calls[v] = &callee;
+      table_.Of(ir::FunctionId(function_[v].aux), arguments_, uniform_flow);
+  if (out_.calls.empty()) out_.calls.resize(function_.insts.size());
+  out_.calls[v.index] = &callee;
   std::ranges::copy(callee.results, States(v).begin());
 }
 
 const FunctionContinuity& ContinuityTable::Of(ir::FunctionId function,
                                               const std::vector<Continuity>& parameters,
                                               bool uniform_flow) {
-  std::vector<uint8_t> key;
-  for (int shift = 0; shift < 32; shift += 8) key.push_back(static_cast<uint8_t>(function.index >> shift));
-  key.push_back(uniform_flow);
-  for (Continuity state : parameters) key.push_back(static_cast<uint8_t>(state));
-  std::unique_ptr<FunctionContinuity>& known = known_[key];
+  key_.clear();
+  for (int shift = 0; shift < 32; shift += 8) key_.push_back(static_cast<uint8_t>(function.index >> shift));
+  key_.push_back(uniform_flow);
+  for (Continuity state : parameters) key_.push_back(static_cast<uint8_t>(state));
+  std::unique_ptr<FunctionContinuity>& known = known_[key_];
   if (!known) {
     known = std::make_unique<FunctionContinuity>();
     FunctionContinuity* made = known.get();  // the map may grow below; the object stays

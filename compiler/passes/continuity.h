@@ -6,7 +6,6 @@
 #include <deque>
 #include <map>
 #include <memory>
-#include <unordered_map>
 #include <vector>
 
 #include "compiler/ir/module.h"
@@ -27,7 +26,7 @@ struct FunctionContinuity {
   std::vector<uint32_t> first;      // by value
   std::vector<Continuity> results;  // the leaves of all results, in order
   std::vector<bool> uniform_flow;   // by value, for samples and calls: every pixel of a quad comes here, once
-  std::unordered_map<ir::ValueId, const FunctionContinuity*> calls;
+  std::vector<const FunctionContinuity*> calls;  // by value; shorter, or null, where there is none
 };
 
 class ContinuityTable {
@@ -46,6 +45,7 @@ class ContinuityTable {
   const std::deque<ir::Function>& functions_;
   Leaves& leaves_;
   std::map<std::vector<uint8_t>, std::unique_ptr<FunctionContinuity>> known_;
+  std::vector<uint8_t> key_;  // of what is asked for
 };
 
 }  // namespace texgraph::passes

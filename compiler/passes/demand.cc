@@ -78,9 +78,10 @@ class DemandScan {
   const FunctionContinuity& continuity_;
   Demand& out_;
   std::vector<Item> work_;
+  std::vector<bool> nothing_;
   std::unordered_map<ValueId, std::pair<ValueId, uint32_t>> carried_;  // loop parameter: loop and index of the carried value
   std::unordered_map<ValueId, uint32_t> first_leaf_;                   // function parameter: its first leaf
-  std::unordered_map<ValueId, std::vector<bool>> requests_;            // of calls
+  std::vector<std::vector<bool>> requests_;                            // by value, of calls that are asked for something
 };
 
 void DemandScan::Index() {
@@ -115,7 +116,6 @@ void DemandScan::Run() {
     for (ValueId v : region.body) {
       const ir::Inst& inst = function_[v];
       if (inst.op == Op::kCall) {
-        requests_[v].assign(continuity_.calls.at(v)->results.size(), false);
         UpdateCall(v);
       } else if (inst.op == Op::kDx || inst.op == Op::kDy) {
         WantAll(function_.Operands(inst)[0]);
@@ -139,8 +139,12 @@ void DemandScan::Run() {
 }
 
 void DemandScan::UpdateCall(ValueId call) {
-  const Demand& demand = table_.Of(*continuity_.calls.at(call), requests_[call]);
-  out_.calls[call] = &demand;
+  const FunctionContinuity& callee = *continuity_.calls[call.index];
+  const bool asked = !requests_.empty() && !requests_[call.index].empty();
+  if (!asked) nothing_.assign(callee.results.size(), false);
+  const Demand& demand = table_.Of(callee, asked ? requests_[call.index] : nothing_);
+  if (out_.calls.empty()) out_.calls.resize(function_.insts.size());
+  out_.calls[call.index] = &demand;
   uint32_t leaf = 0;
   for (ValueId argument : function_.Operands(call)) {
     for (uint32_t l = 0; l < LeafCount(argument); ++l, ++leaf) {
@@ -219,7 +223,9 @@ void DemandScan::Visit(Item item) {
       return Want(carried.value, carried.leaf);
     }
     case Op::kCall:
-      requests_[item.value][item.leaf] = true;
+      if (requests_.empty()) requests_.resize(function_.insts.size());
+      requests_[item.value.index].resize(continuity_.calls[item.value.index]->results.size());
+      requests_[item.value.index][item.leaf] = true;
       return UpdateCall(item.value);
     default:
       for (size_t i = 0; i < operands.size(); ++i) {
@@ -228,17 +234,16 @@ void DemandScan::Visit(Item item) {
   }
 }
 
-const Demand& DemandTable::Of(const FunctionContinuity& continuity, std::vector<bool> requested) {
-  std::unique_ptr<Demand>& known = known_[{&continuity, requested}];
-  if (!known) {
-    known = std::make_unique<Demand>();
-    Demand* made = known.get();
-    made->continuity = &continuity;
-    made->requested = std::move(requested);
-    DemandScan(*this, *made).Run();
-    return *made;
+const Demand& DemandTable::Of(const FunctionContinuity& continuity, const std::vector<bool>& requested) {
+  std::vector<std::unique_ptr<Demand>>& all = known_[&continuity];
+  for (const std::unique_ptr<Demand>& known : all) {
+    if (known->requested == requested) return *known;
   }
-  return *known;
+  Demand& made = *all.emplace_back(std::make_unique<Demand>());
+  made.continuity = &continuity;
+  made.requested = requested;
+  DemandScan(*this, made).Run();
+  return made;
 }
 
 }  // namespace texgraph::passes

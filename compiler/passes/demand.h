@@ -4,7 +4,6 @@
 #pragma once
 
 #include <deque>
-#include <map>
 #include <memory>
 #include <unordered_map>
 #include <vector>
@@ -25,7 +24,7 @@ struct Demand {
   std::vector<bool> requested;   // by result leaf: the caller wants its derivative
   std::vector<bool> wanted;      // by leaf of each value, indexed as in continuity->states
   std::vector<bool> parameters;  // by parameter leaf: its derivative is passed in
-  std::unordered_map<ir::ValueId, const Demand*> calls;
+  std::vector<const Demand*> calls;  // by value; shorter, or null, where there is none
 
   bool Wanted(ir::ValueId v, uint32_t leaf = 0) const { return wanted[continuity->first[v.index] + leaf]; }
 };
@@ -35,13 +34,14 @@ class DemandTable {
   DemandTable(const std::deque<ir::Function>& functions, Leaves& leaves)
       : functions_(functions), leaves_(leaves) {}
   // `requested` by result leaf; those without a derivative are ignored.
-  const Demand& Of(const FunctionContinuity& continuity, std::vector<bool> requested);
+  const Demand& Of(const FunctionContinuity& continuity, const std::vector<bool>& requested);
 
  private:
   friend class DemandScan;
   const std::deque<ir::Function>& functions_;
   Leaves& leaves_;
-  std::map<std::pair<const FunctionContinuity*, std::vector<bool>>, std::unique_ptr<Demand>> known_;
+  // A function's results are asked for in few ways.
+  std::unordered_map<const FunctionContinuity*, std::vector<std::unique_ptr<Demand>>> known_;
 };
 
 SampleMode ModeOfSample(const ir::Function& function, const FunctionContinuity& continuity, ir::ValueId sample);

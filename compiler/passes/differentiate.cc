@@ -7,6 +7,7 @@
 // A coordinate that is moved by a sampled value: the derivative of a sample is the difference of two samples one pixel apart,
 // texture(s, c + dc/dx) - texture(s, c), filtered alike. It costs two samples, is right in branches and loops, and is what a
 // GPU's own differences would see.
+#include <algorithm>
 #include <bit>
 #include <deque>
 #include <map>
@@ -36,7 +37,7 @@ struct Change {
 class Differentiator {
  public:
   Differentiator(ir::Module& module, bool fold) : module_(module), fold_(fold), leaves_(module.types) {}
-  void Run();
+  std::vector<bool> Run();
   // The new function for this demand on an old one, made once for each distinct code.
   FunctionId Variant(const Demand& demand);
 
@@ -45,6 +46,8 @@ class Differentiator {
 
  private:
   std::vector<uint32_t> CodeKey(const Demand& demand);
+  bool StaysAsItIs(const Demand& demand) const;
+  ir::Function Retarget(const Demand& demand);
 
   ir::Module& module_;
   const bool fold_;
@@ -52,6 +55,7 @@ class Differentiator {
   std::deque<ir::Function> old_;
   std::map<const Demand*, FunctionId> by_demand_;
   std::map<std::vector<uint32_t>, FunctionId> by_code_;
+  std::vector<bool> changed_;  // by new function
 };
 
 class DerivativeRebuilder : public ir::Rebuilder {
@@ -68,7 +72,7 @@ class DerivativeRebuilder : public ir::Rebuilder {
 
  protected:
   ValueId Copy(ValueId old) override;
-  std::vector<ValueId> CopyCall(ValueId old) override;
+  void CopyCall(ValueId old, std::span<ValueId> results) override;
   std::vector<ValueId> CopyIf(ValueId old) override;
   std::vector<ValueId> CopyFor(ValueId old) override;
   void TookResult(ValueId old) override {
@@ -350,8 +354,8 @@ void DerivativeRebuilder::DeriveStructure(ValueId old) {
 
 // --- Calls, branches, loops --------------------------------------------------------------------------------------
 
-std::vector<ValueId> DerivativeRebuilder::CopyCall(ValueId old) {
-  const Demand& callee = *demand_.calls.at(old);
+void DerivativeRebuilder::CopyCall(ValueId old, std::span<ValueId> results) {
+  const Demand& callee = *demand_.calls[old.index];
   const ir::Function& old_callee = pass_.old(callee.continuity->function);
   std::span<const ValueId> operands = from_.Operands(old);
   std::vector<ValueId> arguments = GetAll(operands);
@@ -368,7 +372,6 @@ std::vector<ValueId> DerivativeRebuilder::CopyCall(ValueId old) {
   const uint32_t own = static_cast<uint32_t>(old_callee.results.size());
   uint32_t total = own;
   for (bool requested : callee.requested) total += requested ? 2 : 0;
-  std::vector<ValueId> results(own);
   for (uint32_t i = 0; i < own; ++i) {
     if (live_.LiveResult(old, i)) results[i] = to_.Result(call, i, total);
   }
@@ -379,7 +382,6 @@ std::vector<ValueId> DerivativeRebuilder::CopyCall(ValueId old) {
     next += 2;
   }
   NameChanges(old);
-  return results;
 }
 
 std::vector<uint32_t> DerivativeRebuilder::KeptResults(ValueId old) {
@@ -505,11 +507,38 @@ std::vector<uint32_t> Differentiator::CodeKey(const Demand& demand) {
       if (function[v].op == Op::kSample) {
         key.push_back(0xfffffff0u + static_cast<uint32_t>(ModeOfSample(function, continuity, v)));
       } else if (function[v].op == Op::kCall) {
-        key.push_back(Variant(*demand.calls.at(v)).index);
+        key.push_back(Variant(*demand.calls[v.index]).index);
       }
     }
   }
   return key;
+}
+
+// Whether the demand asks for no derivative anywhere in the function, and every sample stays implicit.
+bool Differentiator::StaysAsItIs(const Demand& demand) const {
+  auto none = [](const std::vector<bool>& flags) { return std::ranges::find(flags, true) == flags.end(); };
+  if (!none(demand.wanted) || !none(demand.parameters) || !none(demand.requested)) return false;
+  for (const Demand* callee : demand.calls) {
+    if (callee && (!none(callee->parameters) || !none(callee->requested))) return false;
+  }
+  const ir::Function& function = old(demand.continuity->function);
+  for (size_t i = 0; i < function.insts.size(); ++i) {
+    const Op op = function.insts[i].op;
+    if (op == Op::kDx || op == Op::kDy) return false;
+    if (op == Op::kSample && ModeOfSample(function, *demand.continuity, ValueId(i)) != SampleMode::kImplicit) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// The function with its calls turned to the new ones.
+ir::Function Differentiator::Retarget(const Demand& demand) {
+  ir::Function made = old(demand.continuity->function);
+  for (size_t i = 0; i < demand.calls.size(); ++i) {
+    if (demand.calls[i]) made.insts[i].aux = Variant(*demand.calls[i]).index;
+  }
+  return made;
 }
 
 FunctionId Differentiator::Variant(const Demand& demand) {
@@ -519,31 +548,38 @@ FunctionId Differentiator::Variant(const Demand& demand) {
   if (added) {
     const ir::Function& from = old(demand.continuity->function);
     ir::Function made;
-    made.name = from.name + (by_code_.size() > 1 ? ".d" + std::to_string(by_code_.size()) : "");
-    made.display_name = from.display_name;
-    made.origin = from.origin;
-    {
+    const std::string suffix = by_code_.size() > 1 ? ".d" + std::to_string(by_code_.size()) : "";
+    const bool stays = StaysAsItIs(demand);
+    if (stays) {
+      made = Retarget(demand);
+      made.name = from.name + suffix;
+    } else {
+      made.name = from.name + suffix;
+      made.display_name = from.display_name;
+      made.origin = from.origin;
       ir::Builder builder(module_, made, {fold_, nullptr});
       ir::Liveness live(module_, from);
       DerivativeRebuilder(*this, module_, from, live, demand, builder).Run();
     }
     module_.functions.push_back(std::move(made));
+    changed_.push_back(!stays);
     same->second = FunctionId(module_.functions.size() - 1);
   }
   return by_demand_[&demand] = same->second;
 }
 
-void Differentiator::Run() {
+std::vector<bool> Differentiator::Run() {
   old_ = std::move(module_.functions);
   module_.functions.clear();
   ContinuityTable continuity(module_, old_, leaves_);
   DemandTable demands(old_, leaves_);
   const FunctionContinuity& states = continuity.Of(module_.main, {}, true);
   module_.main = Variant(demands.Of(states, std::vector<bool>(states.results.size())));
+  return changed_;
 }
 
 }  // namespace
 
-void Differentiate(ir::Module& module, bool fold) { Differentiator(module, fold).Run(); }
+std::vector<bool> Differentiate(ir::Module& module, bool fold) { return Differentiator(module, fold).Run(); }
 
 }  // namespace texgraph::passes

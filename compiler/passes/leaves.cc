@@ -22,12 +22,15 @@ void Leaves::Collect(TypeId type, Leaf prefix, std::vector<Leaf>& out) {
 }
 
 const std::vector<Leaf>& Leaves::Of(TypeId type) {
+  if (type.index >= by_type_.size()) by_type_.resize(type.index + 1);
   std::vector<Leaf>& leaves = by_type_[type.index];
   if (leaves.empty()) Collect(type, {}, leaves);
   return leaves;
 }
 
-uint32_t Leaves::Count(TypeId type) { return static_cast<uint32_t>(Of(type).size()); }
+uint32_t Leaves::Count(TypeId type) {
+  return type.index < ir::kBasicTypeCount ? 1 : static_cast<uint32_t>(Of(type).size());
+}
 
 uint32_t Leaves::Offset(TypeId aggregate, uint32_t index) {
   TypeKind kind = types_.Kind(aggregate);

@@ -3,8 +3,8 @@
 // tuples have one run of leaves for each element. Analyses keep one state for each leaf of a value.
 #pragma once
 
+#include <deque>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "compiler/ir/builder.h"
@@ -30,7 +30,7 @@ class Leaves {
  private:
   void Collect(ir::TypeId type, Leaf prefix, std::vector<Leaf>& out);
   const ir::Types& types_;
-  std::unordered_map<uint32_t, std::vector<Leaf>> by_type_;  // references stay good while it grows
+  std::deque<std::vector<Leaf>> by_type_;  // references stay good while it grows
 };
 
 // Whether a leaf can have a derivative.

@@ -3,6 +3,8 @@
 // refuse returns false with the reason in `diagnostics`.
 #pragma once
 
+#include <vector>
+
 #include "compiler/base/diagnostics.h"
 #include "compiler/graph/checked_graph.h"
 #include "compiler/ir/module.h"
@@ -22,9 +24,11 @@ bool Specialize(ir::Module& module, bool fold, SourceRange where, Diagnostics& d
 // The same meaning with never more operations: folds, applies the algebraic rules, merges equal values, drops what nothing
 // uses, globals and unused parameters and results of functions included. Functions and globals get new ids. Idempotent.
 void Simplify(ir::Module& module);
+// The same for a module of which only the functions of `changed` differ, by FunctionId, from what Simplify left.
+void Simplify(ir::Module& module, const std::vector<bool>& changed);
 
 // Replaces dx and dy, and gives every sample whose coordinate is not plainly continuous an explicit gradient. Afterwards dfdx
-// and dfdy occur only at the top of main.
-void Differentiate(ir::Module& module, bool fold);
+// and dfdy occur only at the top of main. Says by FunctionId which functions are not as they were before.
+std::vector<bool> Differentiate(ir::Module& module, bool fold);
 
 }  // namespace texgraph::passes

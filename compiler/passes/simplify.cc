@@ -25,8 +25,9 @@ class Simplifier {
  public:
   Simplifier(ir::Module& module, RuleFlags allowed) : module_(module), rules_(allowed) {}
 
-  void Run() {
-    stale_.assign(module_.functions.size(), true);
+  // `stale`: the functions that are not yet as Simplify leaves them.
+  void Run(std::vector<bool> stale) {
+    stale_ = std::move(stale);
     for (int round = 0; round < kMaxRounds; ++round) {
       FindCalls();
       DropUnreachable();
@@ -243,8 +244,14 @@ void Simplifier::DropUnusedGlobals() {
 
 }  // namespace
 
-void Simplify(ir::Module& module, RuleFlags allowed) { Simplifier(module, allowed).Run(); }
+void Simplify(ir::Module& module, RuleFlags allowed) {
+  Simplifier(module, allowed).Run(std::vector<bool>(module.functions.size(), true));
+}
 
 void Simplify(ir::Module& module) { Simplify(module, kAllRules); }
+
+void Simplify(ir::Module& module, const std::vector<bool>& changed) {
+  Simplifier(module, kAllRules).Run(changed);
+}
 
 }  // namespace texgraph::passes

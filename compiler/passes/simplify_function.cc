@@ -25,22 +25,22 @@ class SimplifyRebuilder : public ir::Rebuilder {
       : Rebuilder(module, from, live, to), copies_(copies) {}
 
  protected:
-  std::vector<ValueId> CopyCall(ValueId old) override;
+  void CopyCall(ValueId old, std::span<ValueId> results) override;
   void EnterSide(ValueId old_if, bool taken) override;
   void LeaveSide(ValueId old_if, bool taken) override;
 
  private:
   const std::vector<CopiedFunction>& copies_;
+  std::vector<ValueId> arguments_;  // of one call at a time
   // What Get gave before a side was entered; one list for each open side.
   std::vector<std::vector<std::pair<ValueId, ValueId>>> hidden_;
 };
 
-std::vector<ValueId> SimplifyRebuilder::CopyCall(ValueId old) {
+void SimplifyRebuilder::CopyCall(ValueId old, std::span<ValueId> results) {
   const FunctionId callee(from_[old].aux);
   const CopiedFunction& copy = copies_[callee.index];
   const std::span<const ValueId> old_arguments = from_.Operands(old);
-  const uint32_t count = live_.ResultCount(old);
-  std::vector<ValueId> results(count);
+  const uint32_t count = static_cast<uint32_t>(results.size());
   bool calls = false;
   for (uint32_t i = 0; i < count; ++i) {
     if (!live_.LiveResult(old, i)) continue;
@@ -57,26 +57,26 @@ std::vector<ValueId> SimplifyRebuilder::CopyCall(ValueId old) {
         break;
     }
   }
-  if (!calls) return results;
-  std::vector<ValueId> arguments;
+  if (!calls) return;
+  arguments_.clear();
   for (size_t i = 0; i < old_arguments.size(); ++i) {
-    if (copy.keeps_parameter[i]) arguments.push_back(Get(old_arguments[i]));
+    if (copy.keeps_parameter[i]) arguments_.push_back(Get(old_arguments[i]));
   }
   const ir::Function& function = module_[callee];
   const uint32_t new_count = static_cast<uint32_t>(function.results.size());
   std::vector<ValueId> inlined;
   ValueId call;
   if (copy.is_inlined) {
-    inlined = CopyInline(module_, function, arguments, to_);
+    inlined.resize(new_count);
+    CopyInline(function, arguments_, to_, inlined);
   } else {
-    call = to_.Call(callee, arguments);
+    call = to_.Call(callee, arguments_);
   }
   for (uint32_t i = 0; i < count; ++i) {
     if (results[i] || !live_.LiveResult(old, i)) continue;
     const uint32_t index = copy.result_index[i];
     results[i] = copy.is_inlined ? inlined[index] : to_.Result(call, index, new_count);
   }
-  return results;
 }
 
 void SimplifyRebuilder::EnterSide(ValueId old_if, bool taken) {

@@ -135,7 +135,8 @@ class Specializer {
     FunctionId id;  // among the new functions; invalid after an error
     bool inlined = false;
   };
-  Callee Instance(FunctionId old, const std::vector<Binding>& bindings, const std::string& suffix);
+  // `bindings` by parameter. The suffix, a node's name, tells apart functions of one name.
+  Callee Instance(FunctionId old, std::span<const Binding> bindings, std::string_view suffix);
   // Whether this constant is worth a function of its own.
   bool Binds(FunctionId callee, size_t parameter, ConstId value) const;
   const ir::Function& old(FunctionId id) const { return old_[id.index]; }
@@ -162,6 +163,7 @@ class Specializer {
   };
   std::vector<Made> made_;  // by new FunctionId
   std::map<std::vector<uint32_t>, FunctionId> instances_;
+  std::vector<uint32_t> key_;       // of the instance that is asked for
   std::vector<std::string> chain_;  // display names from main to the function being made
   bool failed_ = false;
 };
@@ -170,27 +172,30 @@ class Specializer {
 class InstanceRebuilder : public ir::Rebuilder {
  public:
   InstanceRebuilder(Specializer& specializer, ir::Module& module, const ir::Function& from,
-                    const ir::Liveness& live, ir::Builder& to, const std::string& suffix)
+                    const ir::Liveness& live, ir::Builder& to, std::string_view suffix)
       : Rebuilder(module, from, live, to), specializer_(specializer), suffix_(suffix) {}
 
-  void BindParameters(const std::vector<Binding>& bindings);
+  void BindParameters(std::span<const Binding> bindings);
 
  protected:
   ValueId Copy(ValueId old) override;
-  std::vector<ValueId> CopyCall(ValueId old) override;
+  void CopyCall(ValueId old, std::span<ValueId> results) override;
 
  private:
   // Calls an instance of `callee`, the small ones by copying them here. `old_arguments` are the old function's values, then
   // come new ones.
-  std::vector<ValueId> CallInstance(ValueId old, FunctionId callee, std::span<const ValueId> old_arguments,
-                                    std::span<const ValueId> captured);
+  void CallInstance(ValueId old, FunctionId callee, std::span<const ValueId> old_arguments,
+                    std::span<const ValueId> captured, std::span<ValueId> results);
 
   Specializer& specializer_;
-  const std::string& suffix_;
+  const std::string_view suffix_;
   std::unordered_map<ValueId, FieldBinding> fields_;
+  // Of one call at a time.
+  std::vector<Binding> bindings_;
+  std::vector<ValueId> arguments_;
 };
 
-void InstanceRebuilder::BindParameters(const std::vector<Binding>& bindings) {
+void InstanceRebuilder::BindParameters(std::span<const Binding> bindings) {
   for (size_t i = 0; i < from_.parameters.size(); ++i) {
     ValueId param = from_.Body().params[i];
     const Binding& binding = bindings[i];
@@ -219,29 +224,29 @@ ValueId InstanceRebuilder::Copy(ValueId old) {
   }
   if (inst.op == Op::kCallField) {
     const FieldBinding field = fields_.at(operands[0]);
-    return CallInstance(old, field.function, operands.subspan(1), field.captured)[0];
+    ValueId result;
+    CallInstance(old, field.function, operands.subspan(1), field.captured, {&result, 1});
+    return result;
   }
   return Rebuilder::Copy(old);
 }
 
-std::vector<ValueId> InstanceRebuilder::CopyCall(ValueId old) {
+void InstanceRebuilder::CopyCall(ValueId old, std::span<ValueId> results) {
   const ir::Inst& inst = from_[old];
-  return CallInstance(old, FunctionId(inst.aux), from_.Operands(inst), {});
+  CallInstance(old, FunctionId(inst.aux), from_.Operands(inst), {}, results);
 }
 
-std::vector<ValueId> InstanceRebuilder::CallInstance(ValueId old, FunctionId callee,
-                                                     std::span<const ValueId> old_arguments,
-                                                     std::span<const ValueId> captured) {
-  const uint32_t count = live_.ResultCount(old);
-  std::vector<ValueId> results(count), arguments;
-  std::vector<Binding> bindings;
+void InstanceRebuilder::CallInstance(ValueId old, FunctionId callee, std::span<const ValueId> old_arguments,
+                                     std::span<const ValueId> captured, std::span<ValueId> results) {
+  bindings_.clear();
+  arguments_.clear();
   auto pass = [&](ValueId argument) {
-    size_t parameter = bindings.size();
+    size_t parameter = bindings_.size();
     if (to_.IsConst(argument) && specializer_.Binds(callee, parameter, ConstId(to_[argument].aux))) {
-      bindings.push_back({Binding::Kind::kConst, to_[argument].aux, 0});
+      bindings_.push_back({Binding::Kind::kConst, to_[argument].aux, 0});
     } else {
-      bindings.push_back({});
-      arguments.push_back(argument);
+      bindings_.push_back({});
+      arguments_.push_back(argument);
     }
   };
   for (ValueId argument : old_arguments) {
@@ -251,28 +256,24 @@ std::vector<ValueId> InstanceRebuilder::CallInstance(ValueId old, FunctionId cal
       continue;
     }
     const FieldBinding& bound = field->second;
-    bindings.push_back(
+    bindings_.push_back(
         {Binding::Kind::kField, bound.function.index, static_cast<uint32_t>(bound.captured.size())});
-    arguments.insert(arguments.end(), bound.captured.begin(), bound.captured.end());
+    arguments_.insert(arguments_.end(), bound.captured.begin(), bound.captured.end());
   }
   for (ValueId argument : captured) pass(argument);
 
   ir::OriginId origin = from_.OriginOf(old);
   bool in_node = origin && !module_.origins[origin.index].node.empty();
-  Specializer::Callee made =
-      specializer_.Instance(callee, bindings, in_node ? module_.origins[origin.index].node : suffix_);
+  Specializer::Callee made = specializer_.Instance(
+      callee, bindings_, in_node ? std::string_view(module_.origins[origin.index].node) : suffix_);
   if (specializer_.failed()) {
     // Whatever is made from now on is thrown away, but it must have its type.
     const std::vector<ir::Result>& types = specializer_.old(callee).results;
-    for (uint32_t i = 0; i < count; ++i) results[i] = to_.Zero(types[i].type);
-    return results;
+    for (size_t i = 0; i < results.size(); ++i) results[i] = to_.Zero(types[i].type);
+    return;
   }
-  if (made.inlined) return CopyInline(module_, module_[made.id], arguments, to_);
-  ValueId call = to_.Call(made.id, arguments);
-  for (uint32_t i = 0; i < count; ++i) {
-    if (live_.LiveResult(old, i)) results[i] = to_.Result(call, i, count);
-  }
-  return results;
+  if (made.inlined) return CopyInline(module_[made.id], arguments_, to_, results);
+  TakeResults(old, to_.Call(made.id, arguments_), results);
 }
 
 // --- Specializer -------------------------------------------------------------------------------------------------
@@ -322,17 +323,17 @@ void Specializer::Refuse(const std::string& message) {
   diagnostics_.Error(DiagnosticKind::kInstanceLimit, where_, message).AddNote(where_, "through " + chain);
 }
 
-Specializer::Callee Specializer::Instance(FunctionId id, const std::vector<Binding>& bindings,
-                                          const std::string& suffix) {
+Specializer::Callee Specializer::Instance(FunctionId id, std::span<const Binding> bindings, std::string_view suffix) {
   if (failed_) return {};
-  std::vector<uint32_t> key{id.index};
+  key_.assign(1, id.index);
   for (const Binding& binding : bindings) {
-    key.push_back(static_cast<uint32_t>(binding.kind));
-    key.push_back(binding.id);
+    key_.push_back(static_cast<uint32_t>(binding.kind));
+    key_.push_back(binding.id);
   }
-  if (auto known = instances_.find(key); known != instances_.end()) {
+  if (auto known = instances_.find(key_); known != instances_.end()) {
     return {known->second, made_[known->second.index].is_small};
   }
+  std::vector<uint32_t> key = key_;
   const ir::Function& from = old_[id.index];
   chain_.push_back(from.display_name);
   if (chain_.size() > kMaxCallDepth) {
@@ -359,7 +360,7 @@ Specializer::Callee Specializer::Instance(FunctionId id, const std::vector<Bindi
   }
   chain_.pop_back();
   if (failed_) return {};
-  made_.push_back({id, suffix, fold_ && IsInlined(made)});
+  made_.push_back({id, std::string(suffix), fold_ && IsInlined(made)});
   module_.functions.push_back(std::move(made));
   FunctionId result(module_.functions.size() - 1);
   instances_.emplace(std::move(key), result);
@@ -443,7 +444,8 @@ bool Specializer::CheckCost() {
 
 bool Specializer::Run() {
   FunctionId main = module_.main;
-  Callee made = Instance(main, std::vector<Binding>(old_[main.index].parameters.size()), "");
+  const std::vector<Binding> none(old_[main.index].parameters.size());
+  Callee made = Instance(main, none, "");
   if (failed_) return false;
   module_.main = made.id;
   NameInstances();

@@ -7,6 +7,7 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "compiler/ir/builder.h"
 #include "compiler/ir/print.h"
@@ -50,6 +51,47 @@ function main() -> (color: vec4) {
 }
 main main
 )");
+}
+
+// Differentiate says which functions it changed; only these are looked at again.
+TEST(Simplify, AfterDifferentiateOnlyWhatChanged) {
+  constexpr const char* kText = R"(input uv: vec2
+texture brick: sampler2D
+function plain(%p: vec2) -> vec4 {
+  %0 = mul %p, vec2(3.0, 3.0) : vec2
+  %1 = sample @brick, %0 : vec4
+  %2 = sin %1 : vec4
+  %3 = cos %2 : vec4
+  return %3
+}
+function rough(%p: vec2) -> vec4 {
+  %0 = fract %p : vec2
+  %1 = sample @brick, %0 : vec4
+  %2 = sin %1 : vec4
+  %3 = cos %2 : vec4
+  return %3
+}
+function main() -> (color: vec4) {
+  %0 = call plain(@uv) : vec4
+  %1 = call rough(@uv) : vec4
+  %2 = add %0, %1 : vec4
+  return %2
+}
+main main
+)";
+  ir::Module some = ir::ModuleFrom(kText), all = ir::ModuleFrom(kText);
+  Simplify(some);
+  Simplify(all);
+  const std::vector<bool> changed = Differentiate(some, true);
+  Differentiate(all, true);
+  ASSERT_EQ(changed.size(), some.functions.size());
+  for (size_t f = 0; f < changed.size(); ++f) {
+    EXPECT_EQ(changed[f], some.functions[f].display_name != "plain") << some.functions[f].name;
+  }
+  Simplify(some, changed);
+  Simplify(all);
+  EXPECT_EQ(ir::Verify(some), "");
+  EXPECT_EQ(ir::Print(some), ir::Print(all));
 }
 
 TEST(Simplify, RulesLeaveNoDeadOperands) {
