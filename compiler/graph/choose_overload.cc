@@ -51,6 +51,19 @@ std::string Listed(const std::vector<std::string>& words, std::string_view last)
   return text;
 }
 
+// "; it has 'a', 'b' and 'c'", if there are not too many to read.
+std::string ListOfInputs(const std::vector<std::string_view>& names) {
+  constexpr size_t kMostShown = 12;
+  if (names.empty()) return "; it has none";
+  if (names.size() > kMostShown) return {};
+  std::string text = "; it has ";
+  for (size_t i = 0; i < names.size(); ++i) {
+    const char* separator = i == 0 ? "" : i + 1 == names.size() ? " and " : ", ";
+    text += fmt::format("{}'{}'", separator, names[i]);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string SubgraphChecker::BlockText(uint32_t index) const {
@@ -198,6 +211,7 @@ bool SubgraphChecker::ReportUnknownPorts(uint32_t index) {
       hint = "; that is an output";
     } else if (!check_.diagnostics.full()) {
       hint = DidYouMean(input.port, names);
+      if (hint.empty()) hint = ListOfInputs(names);
     }
     check_.diagnostics.Error(
         DiagnosticKind::kUnknownPort, input.port_range,

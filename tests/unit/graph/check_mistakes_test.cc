@@ -61,10 +61,10 @@ TEST(CheckMistakes, UnknownBlocksAndPorts) {
        "block 't_grid' has no port 'mask'; that is an output"},
       {Ports("t_gen", "\"a\": 1, \"c\": 1"),
        {"10:9 unknown-port"},
-       "block 't_gen' has no port 'c'"},
+       "block 't_gen' has no port 'c'; it has 'a' and 'b'"},
       {Ports("fun", "\"a\": [1, 2], \"x\": 1"),
        {"10:14 unknown-port"},
-       "function 'fun' has no port 'x'"},
+       "function 'fun' has no port 'x'; it has "},
   });
 }
 
