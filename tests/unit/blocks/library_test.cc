@@ -58,6 +58,40 @@ TEST(EmbeddedLibrary, ListsEveryFile) {
   EXPECT_TRUE(std::ranges::is_sorted(EmbeddedFiles(), {}, &EmbeddedFile::name));
 }
 
+// A block that no test of tests/blocks names is one that nobody compared with anything.
+TEST(EmbeddedLibrary, EveryBlockHasATest) {
+  std::string tests;
+  for (const fs::directory_entry& entry :
+       fs::directory_iterator(TEXGRAPH_SOURCE_DIR "/tests/blocks")) {
+    if (entry.path().extension() != ".cc") continue;
+    std::ifstream stream(entry.path(), std::ios::binary);
+    tests.append((std::istreambuf_iterator<char>(stream)), {});
+  }
+  for (const EmbeddedFile& file : EmbeddedFiles()) {
+    if (file.name == "types") continue;
+    std::string quoted = "\"" + std::string(file.name);
+    EXPECT_TRUE(tests.find(quoted + "\"") != tests.npos ||
+                tests.find(quoted + "\\\"") != tests.npos)
+        << file.path;
+  }
+}
+
+TEST(EmbeddedLibrary, EveryBlockAndPortIsDescribed) {
+  TestLibrary test({}, true);
+  for (std::string_view name : test.library.Names()) {
+    const Block* block = test.library.Find(name);
+    ASSERT_NE(block, nullptr) << name;
+    EXPECT_NE(block->summary, "") << name;
+    EXPECT_NE(block->family, "") << name;
+    for (const Overload& overload : block->overloads) {
+      for (const Port& port : overload.inputs) EXPECT_NE(port.help, "") << name << " " << port.name;
+      if (overload.outputs.size() < 2) continue;
+      for (const Port& port : overload.outputs)
+        EXPECT_NE(port.help, "") << name << " " << port.name;
+    }
+  }
+}
+
 // Every block, every overload, every value of every template port, in both ways of lowering.
 TEST(EmbeddedLibrary, LowersEveryBlock) {
   for (bool fold : {true, false}) {
