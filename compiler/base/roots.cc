@@ -22,7 +22,7 @@ struct FreeText {
 };
 
 std::optional<std::string> RealPath(const std::string& path) {
-  std::unique_ptr<char, FreeText> real(realpath(path.empty() ? "." : path.c_str(), nullptr));
+  std::unique_ptr<char, FreeText> real(realpath(path.c_str(), nullptr));
   if (!real) return std::nullopt;
   return std::string(real.get());
 }
@@ -52,7 +52,8 @@ bool Roots::Contain(const std::string& path) const {
   if (std::optional<std::string> real = RealPath(path)) return ContainReal(*real);
   // Nothing is there, or a link in a circle. What lies beyond the folders is refused all the same,
   // so that nobody learns from the message whether it exists.
-  std::optional<std::string> folder = RealPath(std::string(FolderOf(path)));
+  std::string named(FolderOf(path));
+  std::optional<std::string> folder = RealPath(named.empty() ? "." : named);
   return ContainReal(folder ? JoinPath(*folder, FileNameOf(path)) : AbsolutePath(path));
 }
 

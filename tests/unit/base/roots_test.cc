@@ -78,9 +78,9 @@ TEST_F(RootsTest, OpenFilesCountWhereTheyAre) {
 }
 
 TEST_F(RootsTest, AFolderThatIsNotThereIsAnErrorAndHoldsNothing) {
-  for (const char* name : {"missing", "out"}) {
+  for (const std::string& name : {folder / "missing", folder / "out", std::string()}) {
     Diagnostics errors;
-    Roots roots({folder / name}, errors);
+    Roots roots({name}, errors);
     EXPECT_EQ(errors.error_count(), 1u);
     EXPECT_EQ(errors.all().front().kind, DiagnosticKind::kCannotRead);
     EXPECT_FALSE(roots.Contain(folder / "in/a"));
