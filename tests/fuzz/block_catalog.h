@@ -23,6 +23,8 @@ struct Thing {
   graph::Argument literal;          // kConstant: its value
   double minimum = 0, maximum = 0;  // kValue: limits, if bounded
   bool bounded = false;
+  uint32_t depth = 0;                          // of nodes that it depends on
+  bool varies = false;                         // from pixel to pixel
   const blocks::Overload* function = nullptr;  // kFunction: its inputs
 };
 

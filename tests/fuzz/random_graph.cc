@@ -108,6 +108,7 @@ class Generator {
     Thing thing;
     thing.reference = input.name;
     thing.type = BlockCatalog::Instance().types().Find(input.type);
+    thing.varies = input.name != "time";
     return thing;
   }
 
@@ -206,7 +207,11 @@ class Generator {
       const GraphFunction& made = functions_.back();
       // From now on it can stand at function ports, of the graph and of later functions.
       RandomNodes things(random_, functions_, shadowed_, result_.blocks);
-      things.AddOutputs(made.name, made.signature.outputs, Thing::Kind::kFunction, &made.signature);
+      Thing like;
+      like.kind = Thing::Kind::kFunction;
+      like.function = &made.signature;
+      like.varies = true;
+      things.AddOutputs(made.name, made.signature.outputs, like);
       for (const Thing& thing : things.things()) {
         globals_.push_back(thing);
         nodes.AddThing(thing);
@@ -253,6 +258,7 @@ class Generator {
     Thing thing;
     thing.reference = name;
     thing.type = port.type;
+    thing.varies = true;
     nodes.AddThing(thing);
     Tree tree = Tree::String(type);
     std::optional<graph::Argument> value = OneIn(2) ? nodes.Literal(port) : std::nullopt;
@@ -298,7 +304,7 @@ class Generator {
       port.name = output.name;
       port.type = BlockCatalog::Instance().types().Find(output.type);
       PortArgument argument;
-      if (std::optional<Tree> tree = nodes.MakeArgument(port, argument)) {
+      if (std::optional<Tree> tree = nodes.MakeArgument(port, 9, argument)) {
         outputs.Set(output.name, std::move(*tree));
       }
     }

@@ -15,8 +15,9 @@ using blocks::Port;
 using blocks::PortKind;
 using graph::Argument;
 
-constexpr int kAttempts = 60;         // to find a block whose ports can all be bound
+constexpr int kAttempts = 100;        // to find a block whose ports can all be bound
 constexpr double kMostWhole = 64;     // where a range goes beyond what pictures have
+constexpr uint32_t kDeep = 6;         // deeper is no better
 constexpr uint32_t kDynamicInt = 12;  // one in so many whole numbers with limits is connected
 
 bool IsWhole(ir::TypeId type) { return ir::IsVector(type) && ir::IsInteger(type); }
@@ -24,16 +25,14 @@ bool IsWhole(ir::TypeId type) { return ir::IsVector(type) && ir::IsInteger(type)
 }  // namespace
 
 void RandomNodes::AddOutputs(const std::string& node, const std::vector<Port>& outputs,
-                             Thing::Kind kind, const Overload* function) {
+                             const Thing& like) {
   for (size_t i = 0; i < outputs.size(); ++i) {
-    Thing thing;
-    thing.kind = kind;
+    Thing thing = like;
     thing.reference = node;
     // A plain name means the only output, or the return value.
     const bool plain = outputs.size() == 1 || (i == 0 && outputs[0].name == "result");
     if (!plain || OneIn(6)) thing.reference += "." + outputs[i].name;
     thing.type = outputs[i].type;
-    thing.function = function;
     AddThing(std::move(thing));
   }
 }
@@ -135,23 +134,32 @@ bool RandomNodes::MayStand(const Port& port, const Thing& thing) {
   return !IsWhole(port.type) || OneIn(kDynamicInt);
 }
 
+// What varies and is deep rather than what is plain, so that graphs are not folded away.
 const Thing* RandomNodes::Pick(const Port& port) {
   std::vector<const Thing*> fitting;
+  std::vector<uint32_t> weights;
+  uint32_t total = 0;
   for (const Thing& thing : things_) {
-    if (MayStand(port, thing)) fitting.push_back(&thing);
+    if (!MayStand(port, thing)) continue;
+    const bool picture =
+        thing.kind == Thing::Kind::kTexture || thing.kind == Thing::Kind::kFunction;
+    uint32_t weight = picture ? 12 : thing.varies ? 4 : 1;
+    weight *= 1 + std::min(thing.depth, kDeep) * std::min(thing.depth, kDeep);
+    fitting.push_back(&thing);
+    weights.push_back(weight);
+    total += weight;
   }
   if (fitting.empty()) return nullptr;
-  // The newest more often, so that graphs are deep.
-  const auto count = static_cast<uint32_t>(fitting.size());
-  const uint32_t back = OneIn(2) ? Below(count) : Below(std::min(count, 4u));
-  return fitting[count - 1 - back];
+  uint32_t at = Below(total);
+  size_t i = 0;
+  while (at >= weights[i]) at -= weights[i++];
+  return fitting[i];
 }
 
-std::optional<Tree> RandomNodes::MakeArgument(const Port& port, PortArgument& argument) {
+std::optional<Tree> RandomNodes::MakeArgument(const Port& port, uint32_t connected,
+                                              PortArgument& argument) {
   argument.port = port.name;
-  const uint32_t chance = port.kind == PortKind::kTemplate ? 4 : 10;
-  const bool connect = port.kind == PortKind::kTemplate ? OneIn(chance) : Below(chance) < 7;
-  if (connect || port.kind == PortKind::kTexture) argument.thing = Pick(port);
+  if (Below(10) < connected || port.kind == PortKind::kTexture) argument.thing = Pick(port);
   if (!argument.thing) {
     if (std::optional<Argument> literal = Literal(port)) {
       argument.literal = *literal;
@@ -163,21 +171,28 @@ std::optional<Tree> RandomNodes::MakeArgument(const Port& port, PortArgument& ar
   return Tree::String(argument.thing->reference);
 }
 
-std::optional<std::pair<std::string, Tree>> RandomNodes::Bind(const std::string& block,
-                                                              std::span<const Overload> overloads,
-                                                              const Overload& meant,
-                                                              const Overload** chosen) {
+std::optional<Tree> RandomNodes::Bind(std::span<const Overload> overloads, const Overload& meant,
+                                      const Overload** chosen, Thing& result) {
   Tree in = Tree::Object();
   std::vector<PortArgument> arguments;
   for (const Port& port : meant.inputs) {
-    if (!IsRequired(port) && OneIn(2)) continue;
+    if (!IsRequired(port) && OneIn(2)) {
+      result.varies = result.varies || !port.default_input.empty();
+      continue;
+    }
     PortArgument argument;
-    std::optional<Tree> tree = MakeArgument(port, argument);
+    const bool is_template = port.kind == PortKind::kTemplate;
+    std::optional<Tree> tree = MakeArgument(port, is_template ? 3 : 8, argument);
     if (!tree && IsRequired(port)) return std::nullopt;
     if (!tree) continue;
     in.Set(port.name, std::move(*tree));
+    if (argument.thing) {
+      result.varies = result.varies || argument.thing->varies;
+      result.depth = std::max(result.depth, argument.thing->depth);
+    }
     arguments.push_back(std::move(argument));
   }
+  ++result.depth;
   *chosen = catalog_.Choose(overloads, arguments);
   if (!*chosen) return std::nullopt;
   // The overload that is chosen may have other limits than the one that was meant.
@@ -190,41 +205,56 @@ std::optional<std::pair<std::string, Tree>> RandomNodes::Bind(const std::string&
     if (known && !catalog_.WithinLimits(*port, *known)) return std::nullopt;
   }
   std::shuffle(in.children.begin(), in.children.end(), random_);
-  return std::pair(block, std::move(in));
+  return in;
 }
 
-bool RandomNodes::WorksOnStructs(const Overload& overload) const {
+bool RandomNodes::Fulfils(const Overload& overload, Wish wish) const {
   const auto is_struct = [&](const Port& port) {
     return catalog_.types().Kind(port.type) == ir::TypeKind::kStruct;
   };
+  const auto is_picture = [&](const Port& port) {
+    return port.kind == PortKind::kTexture || port.kind == PortKind::kField;
+  };
+  if (wish == Wish::kAny) return true;
+  if (wish == Wish::kPictures) return std::ranges::any_of(overload.inputs, is_picture);
   return std::ranges::any_of(overload.inputs, is_struct) ||
          std::ranges::any_of(overload.outputs, is_struct);
 }
 
-std::optional<Tree> RandomNodes::MakeNode(const std::string& name) {
-  // By chance alone a tile would seldom meet a block that takes one.
-  const bool of_structs = OneIn(4);
-  for (int attempt = 0; attempt < kAttempts; ++attempt) {
-    const Overload* chosen = nullptr;
-    std::optional<std::pair<std::string, Tree>> bound;
-    if (!functions_.empty() && OneIn(6)) {
-      const GraphFunction& function = functions_[Below(static_cast<uint32_t>(functions_.size()))];
-      bound = Bind(function.name, {&function.signature, 1}, function.signature, &chosen);
-    } else {
-      const auto& blocks = catalog_.blocks();
-      const blocks::Block& block = *blocks[Below(static_cast<uint32_t>(blocks.size()))];
-      const Overload& meant = block.overloads[Below(static_cast<uint32_t>(block.overloads.size()))];
-      if (!catalog_.Usable(meant) || shadowed_.contains(block.name)) continue;
-      if (of_structs && !WorksOnStructs(meant)) continue;
-      bound = Bind(block.name, block.overloads, meant, &chosen);
-      if (bound) used_blocks_.insert(block.name);
+std::optional<Tree> RandomNodes::Attempt(const std::string& name, Wish wish) {
+  const Overload* chosen = nullptr;
+  std::string block_name;
+  std::optional<Tree> in;
+  Thing result;
+  if (!functions_.empty() && OneIn(6)) {
+    const GraphFunction& function = functions_[Below(static_cast<uint32_t>(functions_.size()))];
+    block_name = function.name;
+    in = Bind({&function.signature, 1}, function.signature, &chosen, result);
+  } else {
+    const auto& blocks = catalog_.blocks();
+    const blocks::Block& block = *blocks[Below(static_cast<uint32_t>(blocks.size()))];
+    const Overload& meant = block.overloads[Below(static_cast<uint32_t>(block.overloads.size()))];
+    if (!catalog_.Usable(meant) || !Fulfils(meant, wish) || shadowed_.contains(block.name)) {
+      return std::nullopt;
     }
-    if (!bound) continue;
-    Tree node = Tree::Object();
-    node.Set("block", Tree::String(bound->first));
-    if (!bound->second.empty() || OneIn(2)) node.Set("in", std::move(bound->second));
-    AddOutputs(name, chosen->outputs, Thing::Kind::kValue);
-    return node;
+    block_name = block.name;
+    in = Bind(block.overloads, meant, &chosen, result);
+  }
+  // Most of what is the same everywhere would be folded away, and the rest is soon tested.
+  if (!in || (!result.varies && !OneIn(8))) return std::nullopt;
+  Tree node = Tree::Object();
+  node.Set("block", Tree::String(block_name));
+  if (!in->empty() || OneIn(2)) node.Set("in", std::move(*in));
+  if (!shadowed_.contains(block_name)) used_blocks_.insert(block_name);
+  AddOutputs(name, chosen->outputs, result);
+  return node;
+}
+
+std::optional<Tree> RandomNodes::MakeNode(const std::string& name) {
+  const uint32_t kind = Below(6);
+  const Wish wish = kind == 0 ? Wish::kStructs : kind == 1 ? Wish::kPictures : Wish::kAny;
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    if (std::optional<Tree> node = Attempt(name, wish)) return node;
   }
   return std::nullopt;
 }

@@ -29,12 +29,14 @@ class RandomNodes {
 
   // Something that may stand at ports from now on.
   void AddThing(Thing thing) { things_.push_back(std::move(thing)); }
+  // The outputs of a node or function; what they have in common is in `like`.
   void AddOutputs(const std::string& node, const std::vector<blocks::Port>& outputs,
-                  Thing::Kind kind, const blocks::Overload* function = nullptr);
+                  const Thing& like);
   // One more node of that name, if one could be made.
   std::optional<Tree> MakeNode(const std::string& name);
-  // Something to stand at a port, with something connected to it where that can be.
-  std::optional<Tree> MakeArgument(const blocks::Port& port, PortArgument& argument);
+  // Something to stand at a port: connected to it in `connected` of ten cases, if that can be.
+  std::optional<Tree> MakeArgument(const blocks::Port& port, uint32_t connected,
+                                   PortArgument& argument);
   // A literal for the port. None if its type has none.
   std::optional<graph::Argument> Literal(const blocks::Port& port);
   Tree TreeOf(const graph::Argument& literal);
@@ -45,13 +47,17 @@ class RandomNodes {
 
  private:
   const Thing* Pick(const blocks::Port& port);
-  bool WorksOnStructs(const blocks::Overload& overload) const;
+  // By chance alone a tile would seldom meet a block that takes one, and few blocks look at
+  // textures or call functions.
+  enum class Wish { kAny, kStructs, kPictures };
+  bool Fulfils(const blocks::Overload& overload, Wish wish) const;
+  std::optional<Tree> Attempt(const std::string& name, Wish wish);
   bool MayStand(const blocks::Port& port, const Thing& thing);
   double Number(const blocks::Port& port, ir::Scalar scalar, size_t component);
-  std::optional<std::pair<std::string, Tree>> Bind(const std::string& block,
-                                                   std::span<const blocks::Overload> overloads,
-                                                   const blocks::Overload& meant,
-                                                   const blocks::Overload** chosen);
+  // The node's ports. `result`: what its outputs have in common.
+  std::optional<Tree> Bind(std::span<const blocks::Overload> overloads,
+                           const blocks::Overload& meant, const blocks::Overload** chosen,
+                           Thing& result);
 
   std::mt19937& random_;
   const std::deque<GraphFunction>& functions_;

@@ -36,6 +36,41 @@ bool IsRounded(Op op) {
   }
 }
 
+// The size of what is rounded on the way to a result, which may be much smaller: of a term of a sum
+// that cancels. For component `c`.
+double SizeOfTerms(const ir::Types& types, const ir::Function& function, const ir::Inst& inst,
+                   std::span<const uint32_t* const> operands, size_t lanes, size_t lane, size_t c) {
+  const auto operand = [&](size_t i, size_t component) {
+    return std::fabs(double{std::bit_cast<float>(operands[i][component * lanes + lane])});
+  };
+  const auto largest = [&](size_t i) {
+    double most = 0;
+    for (uint32_t w = 0; w < types.Words(function[function.Operands(inst)[i]].type); ++w) {
+      most = std::max(most, operand(i, w));
+    }
+    return most;
+  };
+  const double t = inst.op == Op::kMix ? operand(2, c) : 0;
+  switch (inst.op) {
+    case Op::kMix:
+      return std::max(operand(0, c) * (1 + t), operand(1, c) * t);
+    case Op::kFma:
+      return std::max(operand(0, c) * operand(1, c), operand(2, c));
+    case Op::kFmod:
+      return operand(0, c);
+    case Op::kDistance:
+      return std::max(largest(0), largest(1));
+    case Op::kDot:
+    case Op::kCross:
+    case Op::kMatMul:
+      return 4 * largest(0) * largest(1);
+    case Op::kReflect:
+      return 4 * largest(0) * std::max(1.0, largest(1) * largest(1));
+    default:
+      return 0;
+  }
+}
+
 bool IsSample(Op op) {
   return op == Op::kSample || op == Op::kSampleGrad || op == Op::kSampleLod || op == Op::kFetch;
 }
@@ -106,8 +141,9 @@ class Noise : public ir::EvaluateObserver {
         run_(run),
         state_(0x9e3779b97f4a7c15u * (run + 1)) {}
 
-  void OnValue(const ir::Function& function, ir::ValueId v, std::span<const uint32_t* const>,
-               uint32_t, uint32_t lanes, uint64_t, uint32_t* words) override {
+  void OnValue(const ir::Function& function, ir::ValueId v,
+               std::span<const uint32_t* const> operands, uint32_t, uint32_t lanes, uint64_t,
+               uint32_t* words) override {
     const ir::Inst& inst = function[v];
     if (!ir::IsFloat(inst.type)) return;
     const bool sample = IsSample(inst.op);
@@ -116,9 +152,13 @@ class Noise : public ir::EvaluateObserver {
     const size_t count = size_t{types_.Words(inst.type)} * lanes;
     for (size_t i = 0; i < count; ++i) {
       const double value = std::bit_cast<float>(words[i]);
+      double size = std::fabs(value);
+      if (!sample) {
+        size = std::max(size,
+                        SizeOfTerms(types_, function, inst, operands, lanes, i % lanes, i / lanes));
+      }
       // The bounds of ops.def are of 1 where the result is smaller, for what is not exact.
-      const double size =
-          ir::Info(inst.op).ulp > 0 ? std::max(std::fabs(value), 1.0) : std::fabs(value);
+      if (ir::Info(inst.op).ulp > 0) size = std::max(size, 1.0);
       const double step = sample ? options_.texels : bound * size;
       words[i] = std::bit_cast<uint32_t>(static_cast<float>(value + step * Next()));
     }
