@@ -346,7 +346,8 @@ Specializer::Callee Specializer::Instance(FunctionId id, std::span<const Binding
   ++variants_[id.index];
   ir::Function made;
   made.name = from.name;
-  if (variants_[id.index] > 1) made.name += fmt::format(".{}", variants_[id.index]);
+  // Not with a dot: that is how the block library tells its functions apart.
+  if (variants_[id.index] > 1) made.name += fmt::format("/{}", variants_[id.index]);
   made.display_name = from.display_name;
   made.origin = from.origin;
   made.results = from.results;
