@@ -19,6 +19,7 @@
 #include "compiler/passes/demand.h"
 #include "compiler/passes/passes.h"
 #include "compiler/passes/pattern.h"
+#include "compiler/passes/slopes.h"
 
 namespace texgraph::passes {
 namespace {
@@ -26,13 +27,6 @@ namespace {
 using ir::FunctionId;
 using ir::Op;
 using ir::ValueId;
-
-// The change over one pixel in x and in y; invalid: zero.
-struct Change {
-  ValueId dx, dy;
-  ValueId& operator[](int axis) { return axis ? dy : dx; }
-  ValueId operator[](int axis) const { return axis ? dy : dx; }
-};
 
 class Differentiator {
  public:
@@ -66,7 +60,8 @@ class DerivativeRebuilder : public ir::Rebuilder {
         pass_(pass),
         demand_(demand),
         continuity_(*demand.continuity),
-        changes_(continuity_.states.size()) {}
+        changes_(continuity_.states.size()),
+        uses_(from.insts.size()) {}
 
   void Run();
 
@@ -83,7 +78,11 @@ class DerivativeRebuilder : public ir::Rebuilder {
  private:
   uint32_t LeafCount(ValueId v) { return pass_.leaves().Count(from_[v].type); }
   const Leaf& LeafOf(ValueId v, uint32_t leaf) { return pass_.leaves().Of(from_[v].type)[leaf]; }
-  Change& ChangeOf(ValueId old, uint32_t leaf = 0) { return changes_[continuity_.first[old.index] + leaf]; }
+  Change& ChangeOf(ValueId old, uint32_t leaf = 0) {
+    const uint32_t index = continuity_.first[old.index] + leaf;
+    if (!slopes_.empty()) MultiplySlopes(index);
+    return changes_[index];
+  }
   bool Wanted(ValueId old) {
     for (uint32_t l = 0; l < LeafCount(old); ++l) {
       if (demand_.Wanted(old, l)) return true;
@@ -102,6 +101,12 @@ class DerivativeRebuilder : public ir::Rebuilder {
   void DeriveSample(ValueId old, ValueId now);
   void Derive(ValueId old, ValueId now);
   void DeriveByRule(ValueId old, ValueId now);
+  bool DeriveBySlopes(ValueId old, ValueId now);
+  Slopes SlopesOf(ValueId old);
+  void CountUses();
+  void NameSlope(ValueId old, ValueId slope);
+  void MultiplySlopes(uint32_t index);
+  void MultiplyAllSlopes();
   void DeriveStructure(ValueId old);
   void DeriveSelect(ValueId old);
   ValueId DeriveSmoothstep(ValueId old, int axis);
@@ -120,6 +125,9 @@ class DerivativeRebuilder : public ir::Rebuilder {
   const Demand& demand_;
   const FunctionContinuity& continuity_;
   std::vector<Change> changes_;  // by leaf of old values
+  // Those of the present region whose products are not made, by leaf; they are before a region is entered.
+  std::map<uint32_t, std::pair<ValueId, Slopes>> slopes_;
+  std::vector<uint32_t> uses_;  // of old values, by sums and products whose changes are wanted
 };
 
 // --- Signature ---------------------------------------------------------------------------------------------------
@@ -175,6 +183,7 @@ void DerivativeRebuilder::Return() {
 
 void DerivativeRebuilder::Run() {
   CopyParameters();
+  CountUses();
   AddParameterChanges();
   DifferentiateInputs();
   CopyRegion(from_.body);
@@ -191,7 +200,7 @@ ValueId DerivativeRebuilder::Copy(ValueId old) {
   ValueId now = inst.op == Op::kSample ? CopySample(old) : Rebuilder::Copy(old);
   if (inst.op != Op::kGlobal && Wanted(old)) {
     Derive(old, now);
-    NameChanges(old);
+    if (!slopes_.contains(continuity_.first[old.index])) NameChanges(old);
   }
   return now;
 }
@@ -277,7 +286,65 @@ void DerivativeRebuilder::Derive(ValueId old, ValueId now) {
   }
 }
 
+void DerivativeRebuilder::MultiplySlopes(uint32_t index) {
+  auto found = slopes_.find(index);
+  if (found == slopes_.end()) return;
+  const auto [old, slopes] = std::move(found->second);
+  slopes_.erase(found);
+  for (int axis : {0, 1}) changes_[index][axis] = Multiply(to_, slopes, axis);
+  NameChanges(old);
+}
+
+void DerivativeRebuilder::MultiplyAllSlopes() {
+  while (!slopes_.empty()) MultiplySlopes(slopes_.begin()->first);
+}
+
+Slopes DerivativeRebuilder::SlopesOf(ValueId old) {
+  const uint32_t index = continuity_.first[old.index];
+  if (auto found = slopes_.find(index); found != slopes_.end()) return found->second.second;
+  const Change change = changes_[index];
+  if (!change.dx && !change.dy) return {};
+  return {{{to_.Splat(from_[old].type, 1), change}}};
+}
+
+bool DerivativeRebuilder::DeriveBySlopes(ValueId old, ValueId now) {
+  const ir::Inst& inst = from_[old];
+  if (!IsPolynomial(inst.op) || module_.types.Kind(inst.type) == ir::TypeKind::kMatrix) return false;
+  std::vector<Slopes> operands;
+  for (ValueId operand : from_.Operands(inst)) operands.push_back(SlopesOf(operand));
+  std::optional<Slopes> slopes = DeriveSlopes(to_, inst.op, GetAll(from_.Operands(inst)), operands, now);
+  if (!slopes) return false;
+  if (slopes->terms.empty()) return true;
+  const uint32_t index = continuity_.first[old.index];
+  if (slopes->terms.size() == 1 && slopes->terms[0].slope == to_.Splat(inst.type, 1)) {
+    changes_[index] = slopes->terms[0].from;
+    return true;
+  }
+  NameSlope(old, slopes->terms[0].slope);
+  // A scaled coordinate that much comes from: its own change is what the others are made of.
+  const bool is_source = slopes->linear && slopes->terms.size() == 1 && uses_[old.index] > 1;
+  slopes_.emplace(index, std::pair(old, std::move(*slopes)));
+  if (is_source) MultiplySlopes(index);
+  return true;
+}
+
+void DerivativeRebuilder::NameSlope(ValueId old, ValueId slope) {
+  const Op op = to_[slope].op;
+  const bool made_here = op != Op::kConst && op != Op::kParam && op != Op::kGlobal && !to_.function().NameOf(slope);
+  if (ir::NameId name = from_.NameOf(old); name && made_here) {
+    to_.Name(slope, std::string(module_.Name(name)) + "_slope");
+  }
+}
+
+void DerivativeRebuilder::CountUses() {
+  for (size_t i = 0; i < from_.insts.size(); ++i) {
+    if (!IsPolynomial(from_.insts[i].op) || !demand_.Wanted(ValueId(i), 0)) continue;
+    for (ValueId operand : from_.Operands(from_.insts[i])) ++uses_[operand.index];
+  }
+}
+
 void DerivativeRebuilder::DeriveByRule(ValueId old, ValueId now) {
+  if (DeriveBySlopes(old, now)) return;
   std::span<const ValueId> operands = from_.Operands(old);
   std::vector<ValueId> x = GetAll(operands);
   for (int axis : {0, 1}) {
@@ -441,6 +508,7 @@ std::vector<ValueId> DerivativeRebuilder::CopyIf(ValueId old) {
   const std::vector<uint32_t> kept = KeptResults(old);
   const std::vector<ValueId>& shape = from_.regions[branch.then_region.index].results;
   const auto wanted = WantedResults(old, shape);
+  MultiplyAllSlopes();
   ir::RegionId sides[2];
   for (int side : {0, 1}) {
     ir::RegionId region = side ? branch.else_region : branch.then_region;
@@ -451,6 +519,7 @@ std::vector<ValueId> DerivativeRebuilder::CopyIf(ValueId old) {
     for (uint32_t i : kept) yields.push_back(Get(results[i]));
     AppendChanges(results, wanted, yields);
     to_.EndRegion(yields);
+    slopes_.clear();
   }
   to_.SetOrigin(from_.OriginOf(old));
   ValueId merged = to_.If(Get(from_.Operands(old)[0]), sides[0], sides[1]);
@@ -468,6 +537,7 @@ std::vector<ValueId> DerivativeRebuilder::CopyFor(ValueId old) {
   for (uint32_t i : kept) initial.push_back(Get(from_.Operands(inst)[i]));
   AppendChanges(from_.Operands(inst), wanted, initial);
 
+  MultiplyAllSlopes();
   loop.body = to_.BeginRegion();
   Set(body.params[0], to_.AddRegionParameter(ir::kInt));
   to_.Name(Get(body.params[0]), from_.NameOf(body.params[0]));
@@ -486,6 +556,7 @@ std::vector<ValueId> DerivativeRebuilder::CopyFor(ValueId old) {
   for (uint32_t i : kept) next.push_back(Get(body.results[i]));
   AppendChanges(body.results, wanted, next);
   to_.EndRegion(next);
+  slopes_.clear();
   to_.SetOrigin(from_.OriginOf(old));
   ValueId merged = to_.For(loop, initial);
   return TakeResults(old, merged, kept, carried, wanted);

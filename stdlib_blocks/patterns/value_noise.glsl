@@ -18,8 +18,9 @@ float value_noise(vec2 uv, vec2 scale, int seed) {
   uvec2 columns = uvec2(cell.x, cell.x + 1u);
   uvec2 rows = hash(uvec2(cell.y, cell.y + 1u) + hash(uint(seed)));
   vec4 corners = vec4(hash(columns.xyxy + rows.xxyy) >> 8u) * 5.9604644775390625e-8;
-  vec2 ends = mix(corners.xz, corners.yw, fade.x);
+  float low = mix(corners.x, corners.y, fade.x);
+  float high = mix(corners.z, corners.w, fade.x);
   vec2 width = footprint(uv) * abs(scale);
   float blur = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
-  return mix(mix(ends.x, ends.y, fade.y), 0.5, blur);
+  return mix(mix(low, high, fade.y), 0.5, blur);
 }

@@ -20,7 +20,7 @@ constexpr uint32_t kSide = 1024;
 constexpr int kFrames = 4;
 // Rounds go on until so many in a row were no faster by 1 %: other work of the machine disturbs
 // some.
-constexpr int kQuietRounds = 6, kMaxRounds = 60;
+constexpr int kQuietRounds = 12, kMaxRounds = 60;
 
 // SPIR-V opcodes by number, so that no header of another version is needed.
 constexpr uint32_t kOpFunction = 54, kOpFunctionEnd = 56, kOpVariable = 59, kOpLabel = 248;

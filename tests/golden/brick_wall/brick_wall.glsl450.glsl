@@ -86,8 +86,8 @@ void layer_brick_layer(Tile tile, vec3 tint, vec2 tile_local_dx, vec2 tile_local
   vec2 point = vec2(cos(angle) * shrink);
   vec2 product2 = sin(angle) * shrink * across;
   vec2 q = point * p + (product2 * p.yx + 0.5);
-  vec2 q_dx = point * tile_local_dx + product2 * tile_local_dx.yx;
-  vec2 q_dy = point * tile_local_dy + product2 * tile_local_dy.yx;
+  vec2 q_dx = tile_local_dx * point + tile_local_dx.yx * product2;
+  vec2 q_dy = tile_local_dy * point + tile_local_dy.yx * product2;
   vec4 color2 = textureGrad(brick, q, q_dx, q_dy);
   float coverage_value = coverage(q, vec2(shrink), tile.local, q_dx, q_dy, tile_local_dx,
       tile_local_dy);
@@ -112,8 +112,8 @@ vec4 layer_soot_layer(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
   vec2 point = vec2(cos(angle) * shrink);
   vec2 product2 = sin(angle) * shrink * across;
   vec2 q = point * p + (product2 * p.yx + 0.5);
-  vec2 q_dx = point * tile_local_dx + product2 * tile_local_dx.yx;
-  vec2 q_dy = point * tile_local_dy + product2 * tile_local_dy.yx;
+  vec2 q_dx = tile_local_dx * point + tile_local_dx.yx * product2;
+  vec2 q_dy = tile_local_dy * point + tile_local_dy.yx * product2;
   vec4 color = textureGrad(soot, q, q_dx, q_dy);
   uint hash_value3 = hash(seed - 3u);
   vec2 luck = vec2(float(hash_value3 & 65535u), float(hash_value3 >> 16u)) * 1.5258789e-5;
@@ -141,8 +141,8 @@ vec4 layer_moss_layer(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
   vec2 product2 = cos(angle) * shrink * along;
   vec2 product3 = sin(angle) * shrink * across;
   vec2 q = product2 * p + (product3 * p.yx + 0.5);
-  vec2 q_dx = product2 * tile_local_dx + product3 * tile_local_dx.yx;
-  vec2 q_dy = product2 * tile_local_dy + product3 * tile_local_dy.yx;
+  vec2 q_dx = tile_local_dx * product2 + tile_local_dx.yx * product3;
+  vec2 q_dy = tile_local_dy * product2 + tile_local_dy.yx * product3;
   vec4 color = textureGrad(moss, q, q_dx, q_dy);
   uint hash_value3 = hash(seed - 3u);
   vec2 luck = vec2(float(hash_value3 & 65535u), float(hash_value3 >> 16u)) * 1.5258789e-5;

@@ -94,8 +94,8 @@ vec4 layer_sheet_1(Tile tile, vec3 tint, vec2 tile_local_dx, vec2 tile_local_dy)
   vec2 point = vec2(cos(angle) * shrink);
   vec2 product2 = sin(angle) * shrink * across;
   vec2 q = point * p + (product2 * p.yx + 0.5);
-  vec2 q_dx = point * tile_local_dx + product2 * tile_local_dx.yx;
-  vec2 q_dy = point * tile_local_dy + product2 * tile_local_dy.yx;
+  vec2 q_dx = tile_local_dx * point + tile_local_dx.yx * product2;
+  vec2 q_dy = tile_local_dy * point + tile_local_dy.yx * product2;
   float coverage_value = coverage(q, vec2(shrink), tile.local, q_dx, q_dy, tile_local_dx,
       tile_local_dy);
   float product3 = (circle(q, 0.45, q_dx, q_dy) - circle(q, 0.12, q_dx, q_dy)) * coverage_value;
@@ -119,8 +119,8 @@ vec4 layer_sheet_2(Tile tile, vec2 position_min, vec2 position_max, vec2 scale, 
   vec2 point = vec2(cos(angle) * shrink);
   vec2 product2 = sin(angle) * shrink * across;
   vec2 q = point * p + (product2 * p.yx + 0.5);
-  vec2 q_dx = point * tile_local_dx + product2 * tile_local_dx.yx;
-  vec2 q_dy = point * tile_local_dy + product2 * tile_local_dy.yx;
+  vec2 q_dx = tile_local_dx * point + tile_local_dx.yx * product2;
+  vec2 q_dy = tile_local_dy * point + tile_local_dy.yx * product2;
   float difference = circle(q, 0.45, q_dx, q_dy) - circle(q, 0.12, q_dx, q_dy);
   vec3 product3 = mix(0.75, 1.0, clamp(q.y, 0.0, 1.0)) * tint;
   uint hash_value3 = hash(seed - 3u);

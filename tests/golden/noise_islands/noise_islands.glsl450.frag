@@ -30,36 +30,35 @@ uvec4 hash(uvec4 value) {
 float value_noise(vec2 uv, vec2 scale, vec2 uv_dx, vec2 uv_dy, out float result_dx,
     out float result_dy) {
   vec2 p = uv * scale;
-  vec2 p_dx = uv_dx * scale;
-  vec2 p_dy = uv_dy * scale;
   vec2 base = floor(p);
   vec2 t = p - base;
+  vec2 t_dx = uv_dx * scale;
+  vec2 t_dy = uv_dy * scale;
   vec2 product = t * t;
-  vec2 product2 = p_dx * t;
-  vec2 product3 = p_dy * t;
-  vec2 product4 = product * t;
-  vec2 difference = t * 6.0 - 15.0;
+  vec2 product2 = product * t;
+  vec2 product3 = t * 6.0;
+  vec2 difference = product3 - 15.0;
   vec2 sum = t * difference + 10.0;
-  vec2 fade = product4 * sum;
-  vec2 product5 = ((product2 + product2) * t + product * p_dx) * sum;
-  vec2 fade_dx = product5 + product4 * (p_dx * difference + t * (p_dx * 6.0));
-  vec2 product6 = ((product3 + product3) * t + product * p_dy) * sum;
-  vec2 fade_dy = product6 + product4 * (p_dy * difference + t * (p_dy * 6.0));
+  vec2 fade = product2 * sum;
+  vec2 fade_slope = ((t + t) * t + product) * sum + product2 * (difference + product3);
   uvec2 cell = uvec2(ivec2(base));
   uint sum2 = cell.x + 1u;
   uvec2 rows = hash(uvec2(cell.y, cell.y + 1u) + 2120684060u);
   uvec4 bits = hash(uvec4(cell.x, sum2, cell.x, sum2) + rows.xxyy) >> 8u;
   vec4 corners = vec4(bits) * 5.9604645e-8;
-  vec2 ends = mix(corners.xz, corners.yw, fade.x);
-  vec2 difference2 = corners.yw - corners.xz;
-  vec2 ends_dx = difference2 * fade_dx.x;
-  vec2 ends_dy = difference2 * fade_dy.x;
+  vec2 fade_dx = t_dx * fade_slope;
+  vec2 fade_dy = t_dy * fade_slope;
+  float low = mix(corners.x, corners.y, fade.x);
+  float low_slope = corners.y - corners.x;
+  float high = mix(corners.z, corners.w, fade.x);
+  float high_slope = corners.w - corners.z;
   vec2 width = sqrt(uv_dx * uv_dx + uv_dy * uv_dy) * abs(scale);
   float blur = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
-  float difference3 = ends.y - ends.x;
-  result_dx = mix(mix(ends_dx.x, ends_dx.y, fade.y) + difference3 * fade_dx.y, 0.0, blur);
-  result_dy = mix(mix(ends_dy.x, ends_dy.y, fade.y) + difference3 * fade_dy.y, 0.0, blur);
-  return mix(mix(ends.x, ends.y, fade.y), 0.5, blur);
+  float blend = mix(low_slope, high_slope, fade.y);
+  float difference2 = high - low;
+  result_dx = mix(fade_dx.x * blend + fade_dx.y * difference2, 0.0, blur);
+  result_dy = mix(fade_dy.x * blend + fade_dy.y * difference2, 0.0, blur);
+  return mix(mix(low, high, fade.y), 0.5, blur);
 }
 
 // remap (math/remap.glsl)

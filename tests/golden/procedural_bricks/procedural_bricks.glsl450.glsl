@@ -67,10 +67,11 @@ float value_noise(vec2 uv, vec2 scale, int seed, vec2 uv_dx, vec2 uv_dy) {
   uvec2 rows = hash(uvec2(cell.y, cell.y + 1u) + hash(uint(seed)));
   uvec4 bits = hash(uvec4(cell.x, sum, cell.x, sum) + rows.xxyy) >> 8u;
   vec4 corners = vec4(bits) * 5.9604645e-8;
-  vec2 ends = mix(corners.xz, corners.yw, fade.x);
+  float low = mix(corners.x, corners.y, fade.x);
+  float high = mix(corners.z, corners.w, fade.x);
   vec2 width = sqrt(uv_dx * uv_dx + uv_dy * uv_dy) * abs(scale);
   float blur = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
-  return mix(mix(ends.x, ends.y, fade.y), 0.5, blur);
+  return mix(mix(low, high, fade.y), 0.5, blur);
 }
 
 // rectangle (patterns/rectangle.glsl)
@@ -131,8 +132,8 @@ void layer_brick(Tile tile, vec3 tint, vec2 tile_local_dx, vec2 tile_local_dy, o
   vec2 point = vec2(cos(angle) * shrink);
   vec2 product = sin(angle) * shrink * across;
   vec2 q = point * p + (product * p.yx + 0.5);
-  vec2 q_dx = point * tile_local_dx + product * tile_local_dx.yx;
-  vec2 q_dy = point * tile_local_dy + product * tile_local_dy.yx;
+  vec2 q_dx = tile_local_dx * point + tile_local_dx.yx * product;
+  vec2 q_dy = tile_local_dy * point + tile_local_dy.yx * product;
   vec4 color2 = brick_face(q, q_dx, q_dy);
   float coverage_value = coverage(q, vec2(shrink), tile.local, q_dx, q_dy, tile_local_dx,
       tile_local_dy);
@@ -172,8 +173,8 @@ vec4 layer_lime(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
   vec2 product2 = cos(angle) * shrink * along;
   vec2 product3 = sin(angle) * shrink * across;
   vec2 q = product2 * p + (product3 * p.yx + 0.5);
-  vec2 q_dx = product2 * tile_local_dx + product3 * tile_local_dx.yx;
-  vec2 q_dy = product2 * tile_local_dy + product3 * tile_local_dy.yx;
+  vec2 q_dx = tile_local_dx * product2 + tile_local_dx.yx * product3;
+  vec2 q_dy = tile_local_dy * product2 + tile_local_dy.yx * product3;
   float circle_value = circle(q, mix(0.08, 0.5, value_noise(q, vec2(7.0), 9, q_dx, q_dy)), q_dx,
       q_dy);
   vec4 color = vec4(0.62, 0.58, 0.52, circle_value);

@@ -68,10 +68,11 @@ float value_noise(vec2 uv, vec2 scale, int seed, vec2 uv_dx, vec2 uv_dy) {
   uvec2 rows = hash(uvec2(cell.y, cell.y + 1u) + hash(uint(seed)));
   uvec4 bits = hash(uvec4(cell.x, sum, cell.x, sum) + rows.xxyy) >> 8u;
   vec4 corners = vec4(bits) * 5.9604645e-8;
-  vec2 ends = mix(corners.xz, corners.yw, fade.x);
+  float low = mix(corners.x, corners.y, fade.x);
+  float high = mix(corners.z, corners.w, fade.x);
   vec2 width = sqrt(uv_dx * uv_dx + uv_dy * uv_dy) * abs(scale);
   float blur = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
-  return mix(mix(ends.x, ends.y, fade.y), 0.5, blur);
+  return mix(mix(low, high, fade.y), 0.5, blur);
 }
 
 // smooth_step (math/smooth_step.glsl)
