@@ -48,6 +48,8 @@ std::optional<std::vector<uint32_t>> Inline(const std::vector<uint32_t>& words) 
       .RegisterPass(spvtools::CreateEliminateDeadFunctionsPass())
       .RegisterPass(spvtools::CreateScalarReplacementPass(0))
       .RegisterPass(spvtools::CreateLocalAccessChainConvertPass())
+      // The pointers that this leaves would keep their variables from being rewritten.
+      .RegisterPass(spvtools::CreateAggressiveDCEPass())
       .RegisterPass(spvtools::CreateSSARewritePass())
       .RegisterPass(spvtools::CreateAggressiveDCEPass());
   std::vector<uint32_t> inlined;
@@ -154,18 +156,41 @@ bool Jumps(const Instruction& inst) {
   }
 }
 
+// How many operands, from the first on, are ids; behind them stand literals, which are small numbers that may look like ids.
+size_t IdCount(const Instruction& inst) {
+  switch (inst.op) {
+    case spv::Op::OpConstant:
+    case spv::Op::OpSpecConstant:
+    case spv::Op::OpVariable: return 0;
+    case spv::Op::OpLoad:
+    case spv::Op::OpCompositeExtract: return 1;
+    case spv::Op::OpCompositeInsert:
+    case spv::Op::OpVectorShuffle: return 2;
+    default: return inst.operands.size();
+  }
+}
+
 // The ids that an instruction computes from.
 std::vector<uint32_t> IdsOf(const Shader& shader, const Instruction& inst) {
   std::vector<uint32_t> ids;
-  size_t first = inst.op == spv::Op::OpExtInst ? 2 : 0;
-  for (size_t i = first; i < inst.operands.size(); ++i) {
-    // Literals are small numbers that may look like ids; only those of instructions that take any matter.
-    if (inst.op == spv::Op::OpCompositeExtract && i > 0) break;
-    if (inst.op == spv::Op::OpVectorShuffle && i > 1) break;
+  const bool samples = inst.op == spv::Op::OpImageSampleImplicitLod || inst.op == spv::Op::OpImageSampleExplicitLod ||
+                       inst.op == spv::Op::OpImageFetch;
+  const size_t first = inst.op == spv::Op::OpExtInst ? 2 : 0;
+  for (size_t i = first; i < IdCount(inst); ++i) {
     if (inst.op == spv::Op::OpPhi && i % 2 == 1) continue;
+    if (samples && i == 2) continue;  // which operands follow
     if (shader.by_result.count(inst.operands[i])) ids.push_back(inst.operands[i]);
   }
   return ids;
+}
+
+// What a member of a struct is computed from, where the struct was just put together: that member alone.
+uint32_t MemberOf(const Shader& shader, const Instruction& extract) {
+  const Instruction& whole = shader.instructions[shader.by_result.at(extract.operands[0])];
+  const auto type = shader.by_result.find(whole.type);
+  const bool made = whole.op == spv::Op::OpCompositeConstruct && type != shader.by_result.end() &&
+                    shader.instructions[type->second].op == spv::Op::OpTypeStruct;
+  return made ? whole.operands[extract.operands[1]] : extract.operands[0];
 }
 
 // Everything that a value is computed from.
@@ -176,7 +201,12 @@ std::set<uint32_t> SliceOf(const Shader& shader, uint32_t id) {
     uint32_t at = work.back();
     work.pop_back();
     if (!slice.insert(at).second) continue;
-    for (uint32_t next : IdsOf(shader, shader.instructions[shader.by_result.at(at)])) work.push_back(next);
+    const Instruction& inst = shader.instructions[shader.by_result.at(at)];
+    if (inst.op == spv::Op::OpCompositeExtract) {
+      work.push_back(MemberOf(shader, inst));
+      continue;
+    }
+    for (uint32_t next : IdsOf(shader, inst)) work.push_back(next);
   }
   return slice;
 }

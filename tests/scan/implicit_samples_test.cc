@@ -78,6 +78,23 @@ TEST(ImplicitSamplesTest, PlainSamplesAreFine) {
   EXPECT_TRUE(ScanText("void main() { color = texture(picture, uv + texture(picture, uv).xy); }").mistakes.empty());
 }
 
+// A constant of 40 is not the value with the id 40.
+TEST(ImplicitSamplesTest, NumbersAreNoIds) {
+  for (int number = 1; number < 100; ++number) {
+    std::string body = "void main() { color = texture(picture, uv * float(int(amount) + " + std::to_string(number) +
+                       ")) + fract(uv.x); }";
+    EXPECT_TRUE(ScanText(body).mistakes.empty()) << body;
+  }
+}
+
+// The member that varies is not the one that is converted.
+TEST(ImplicitSamplesTest, MembersOfStructsAreApart) {
+  const std::string begin = "struct Tile { vec2 local; int seed; };\n"
+                            "void main() { Tile tile = Tile(uv, int(amount)); color = texture(picture, ";
+  EXPECT_TRUE(ScanText(begin + "tile.local * float(tile.seed)); }").mistakes.empty());
+  EXPECT_FALSE(ScanText(begin + "tile.local * float(int(tile.local.x))); }").mistakes.empty());
+}
+
 TEST(ImplicitSamplesTest, JumpsAreFound) {
   for (const char* coordinate :
        {"fract(uv)", "floor(uv * 3.0)", "uv + float(int(uv.x))", "mod(uv, 2.0)", "uv.x < 0.5 ? uv : uv.yx",
