@@ -25,6 +25,7 @@ struct Shader {
   std::vector<Instruction> instructions;
   std::map<uint32_t, size_t> by_result;
   std::map<uint32_t, std::vector<uint32_t>> successors;  // of blocks
+  std::map<uint32_t, uint32_t> conditions;               // of the branches that meet in a block, by that block
   std::map<uint32_t, std::string> names;
   std::set<uint32_t> inputs;  // variables
   uint32_t entry_function = 0, entry_block = 0;
@@ -59,7 +60,7 @@ std::optional<std::vector<uint32_t>> Inline(const std::vector<uint32_t>& words) 
 
 Shader Read(const std::vector<uint32_t>& words) {
   Shader shader;
-  uint32_t function = 0, block = 0;
+  uint32_t function = 0, block = 0, merge = 0;
   for (size_t at = 5; at < words.size();) {
     const uint32_t count = words[at] >> 16;
     Instruction inst;
@@ -83,7 +84,12 @@ Shader Read(const std::vector<uint32_t>& words) {
         if (function == shader.entry_function && !shader.entry_block) shader.entry_block = block;
         break;
       case spv::Op::OpBranch: shader.successors[block] = {inst.operands[0]}; break;
-      case spv::Op::OpBranchConditional: shader.successors[block] = {inst.operands[1], inst.operands[2]}; break;
+      case spv::Op::OpSelectionMerge: merge = inst.operands[0]; break;
+      case spv::Op::OpBranchConditional:
+        shader.successors[block] = {inst.operands[1], inst.operands[2]};
+        if (merge) shader.conditions[merge] = inst.operands[0];
+        merge = 0;
+        break;
       default: break;
     }
     inst.block = block;
@@ -218,6 +224,14 @@ bool Varies(const Shader& shader, uint32_t id) {
   return false;
 }
 
+// What makes the value jump if it varies: of a choice, what decides it.
+std::vector<uint32_t> Deciding(const Shader& shader, const Instruction& step) {
+  if (step.op == spv::Op::OpSelect) return {step.operands[0]};
+  const auto condition = shader.conditions.find(step.block);
+  if (step.op == spv::Op::OpPhi && condition != shader.conditions.end()) return {condition->second};
+  return IdsOf(shader, step);
+}
+
 std::string Describe(const Shader& shader, const Instruction& sample) {
   for (uint32_t id : SliceOf(shader, sample.operands[0])) {
     auto name = shader.names.find(id);
@@ -244,7 +258,7 @@ std::optional<ImplicitSamples> FindImplicitSamples(const std::vector<uint32_t>& 
       const Instruction& step = shader.instructions[shader.by_result.at(id)];
       if (!Jumps(step)) continue;
       bool varies = false;
-      for (uint32_t operand : IdsOf(shader, step)) varies = varies || Varies(shader, operand);
+      for (uint32_t operand : Deciding(shader, step)) varies = varies || Varies(shader, operand);
       if (!varies) continue;
       found.mistakes.push_back(Describe(shader, inst) + " has a coordinate that jumps");
       break;

@@ -78,6 +78,13 @@ TEST(ImplicitSamplesTest, PlainSamplesAreFine) {
   EXPECT_TRUE(ScanText("void main() { color = texture(picture, uv + texture(picture, uv).xy); }").mistakes.empty());
 }
 
+// One of two coordinates, the same one for all pixels.
+TEST(ImplicitSamplesTest, UniformChoicesAreFine) {
+  const std::string begin = "void main() { vec2 p = uv; if (", end = ") p = uv.yx + 1.0; color = texture(picture, p); }";
+  EXPECT_TRUE(ScanText(begin + "amount > 0.5" + end).mistakes.empty());
+  EXPECT_EQ(ScanText(begin + "uv.x > 0.5" + end).mistakes.size(), 1u);
+}
+
 // A constant of 40 is not the value with the id 40.
 TEST(ImplicitSamplesTest, NumbersAreNoIds) {
   for (int number = 1; number < 100; ++number) {
