@@ -25,7 +25,7 @@ std::optional<std::vector<double>> Numbers(const Argument& argument, ir::TypeId 
     return std::vector<double>(words, argument.numbers[0]);
   }
   if (argument.numbers.size() != words) return std::nullopt;
-  return argument.numbers;
+  return std::vector<double>(argument.numbers.begin(), argument.numbers.end());
 }
 
 std::optional<std::array<double, 2>> TypeRange(ir::TypeId type) {

@@ -207,7 +207,7 @@ size_t FunctionPrinter::PrintStatement(size_t position) {
   return position + 1;
 }
 
-// "// face: layer" ahead of the first statement of a node.
+// "// face: layer (layers/layer.glsl)" ahead of the first statement of a node.
 void FunctionPrinter::PrintOrigin(const Statement& statement) {
   bool starts = statement.kind == Kind::kDefine || statement.kind == Kind::kCall ||
                 statement.kind == Kind::kIfInit || statement.kind == Kind::kIf ||
@@ -223,6 +223,11 @@ void FunctionPrinter::PrintOrigin(const Statement& statement) {
   if (!origin.block.empty()) {
     line_ += ": ";
     AppendComment(origin.block, line_);
+  }
+  if (!origin.source.empty()) {
+    line_ += " (";
+    AppendComment(origin.source, line_);
+    line_ += ')';
   }
   out_.Line(line_);
 }

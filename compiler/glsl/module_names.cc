@@ -25,7 +25,7 @@ ModuleNames::ModuleNames(const ir::Module& module, const std::vector<bool>& glob
   for (size_t i = ir::kBasicTypeCount; i < module.types.size(); ++i) {
     TypeId type(i);
     if (module.types.Kind(type) == ir::TypeKind::kStruct) {
-      structs_[type] = table_.Claim(module.types[type].name);
+      structs_[type] = table_.Claim(Own(module.types[type].name));
     }
   }
   std::unordered_set<std::string_view> local(local_names.begin(), local_names.end());
@@ -34,9 +34,14 @@ ModuleNames::ModuleNames(const ir::Module& module, const std::vector<bool>& glob
     const ir::Function& function = module.functions[i];
     std::string wish =
         Identifier(function.display_name.empty() ? function.name : function.display_name);
+    wish = Own(wish);
     if (local.contains(wish)) wish += "_block";
     functions_[i] = FunctionName(FunctionId(i), wish);
   }
+}
+
+std::string ModuleNames::Own(std::string_view wish) const {
+  return shader_.empty() ? std::string(wish) : shader_ + "_" + std::string(wish);
 }
 
 std::string ModuleNames::FunctionName(FunctionId id, const std::string& wish) {
@@ -87,7 +92,7 @@ void ModuleNames::AppendDeclaration(TypeId type, std::string_view name, std::str
 }
 
 void ModuleNames::DeclareArray(ir::ConstId id, std::string_view wish) {
-  if (!arrays_.contains(id)) arrays_.emplace(id, table_.Claim(wish));
+  if (!arrays_.contains(id)) arrays_.emplace(id, table_.Claim(Own(wish)));
 }
 
 bool ModuleNames::Hides(std::string_view name, const std::vector<bool>& globals_of_function) const {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The names at global scope: inputs, uniforms and textures keep the graph's; then come outputs,
-// structs, functions and constant arrays. Functions that want one name share it, as overloads, where
-// their parameters differ.
+// structs, functions and constant arrays. Functions that want one name share it, as overloads,
+// where their parameters differ.
 #pragma once
 
 #include <string>
@@ -17,8 +17,9 @@ namespace texgraph::glsl {
 class ModuleNames {
  public:
   // `global_used` and `function_used`: by id, what the shader contains. `local_names`: the names
-  // that main's variables want, which functions leave to them. `shader_name` is taken first, if not
-  // empty.
+  // that main's variables want, which functions leave to them. `shader_name`, if not empty, is
+  // taken first, and begins the names of all functions, structs and arrays: such shaders stand
+  // beside others in one file.
   ModuleNames(const ir::Module& module, const std::vector<bool>& global_used,
               const std::vector<bool>& function_used,
               const std::vector<std::string_view>& local_names, std::string_view shader_name);
@@ -56,6 +57,7 @@ class ModuleNames {
     std::vector<FunctionId> functions;
   };
   std::string FunctionName(FunctionId id, const std::string& wish);
+  std::string Own(std::string_view wish) const;
 
   const ir::Module& module_;
   NameTable table_;

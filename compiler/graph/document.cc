@@ -7,7 +7,6 @@
 #include <string>
 #include <utility>
 
-#include "compiler/base/name_map.h"
 #include "compiler/graph/encoding.h"
 #include "compiler/graph/json.h"
 #include "compiler/graph/yaml.h"
@@ -15,44 +14,17 @@
 namespace texgraph::graph {
 namespace {
 
-// Objects with fewer keys are compared pair by pair.
-constexpr uint32_t kManyKeys = 12;
-
-using DuplicateKey = std::pair<const DocumentNode*, const DocumentNode*>;  // the later, the first
-
-void FindDuplicateKeys(const Document& document, const DocumentNode& object,
-                       std::vector<DuplicateKey>& out) {
-  if (object.child_count < kManyKeys) {
-    for (const DocumentNode& child : document.children(object)) {
-      for (const DocumentNode& before : document.children(object)) {
-        if (&before == &child) break;
-        if (before.key != child.key) continue;
-        out.emplace_back(&child, &before);
-        break;
-      }
-    }
-    return;
-  }
-  NameMap<const DocumentNode*> seen;
-  seen.Reserve(object.child_count);
-  for (const DocumentNode& child : document.children(object)) {
-    auto [first, fresh] = seen.Add(child.key, &child);
-    if (!fresh) out.emplace_back(&child, *first);
-  }
-}
-
-void ReportDuplicateKeys(const Document& document, Diagnostics& diagnostics) {
-  std::vector<DuplicateKey> found;
-  for (const DocumentNode& node : document.nodes) {
-    if (node.kind == DocumentKind::kObject) FindDuplicateKeys(document, node, found);
-  }
-  std::ranges::sort(found, {},
-                    [](const DuplicateKey& pair) { return pair.first->key_range.begin; });
-  for (auto [later, first] : found) {
+void ReportDuplicateKeys(Document& document, Diagnostics& diagnostics) {
+  auto place = [&](const Document::DuplicateKey& key) {
+    return document.nodes[key.later].key_range.begin;
+  };
+  std::ranges::sort(document.duplicate_keys, {}, place);
+  for (const Document::DuplicateKey& key : document.duplicate_keys) {
+    const DocumentNode& later = document.nodes[key.later];
     diagnostics
-        .Error(DiagnosticKind::kDuplicateKey, later->key_range,
-               fmt::format("the key '{}' stands twice in one object", Printable(later->key)))
-        .AddNote(first->key_range, "it stands here first");
+        .Error(DiagnosticKind::kDuplicateKey, later.key_range,
+               fmt::format("the key '{}' stands twice in one object", Printable(later.key)))
+        .AddNote(document.nodes[key.first].key_range, "it stands here first");
   }
 }
 
@@ -99,7 +71,7 @@ std::optional<Document> ReadDocument(SourceId source, DocumentFormat format, con
   Document document;
   document.source = source;
   // About what a graph has; a large document grows by itself.
-  document.nodes.reserve(std::min<size_t>(text.size() / 16, 1 << 16));
+  document.nodes.reserve(std::min<size_t>(text.size() / 16, 1 << 20));
   bool ok = false;
   if (format == DocumentFormat::kYaml) {
     ok = ReadYaml(source, text, document, diagnostics);

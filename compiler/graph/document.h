@@ -49,6 +49,11 @@ class Document {
   class Children;  // for (const DocumentNode& child : document.children(node))
   Children children(const DocumentNode& node) const;
   const DocumentNode* Find(const DocumentNode& object, std::string_view key) const;
+  // Keys that stand twice in one object, as indices of nodes.
+  struct DuplicateKey {
+    uint32_t later, first;
+  };
+  std::vector<DuplicateKey> duplicate_keys;
   // Where strings with escapes live.
   std::vector<std::unique_ptr<std::string>> storage;
 };

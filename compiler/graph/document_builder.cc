@@ -7,7 +7,39 @@
 #include <memory>
 #include <utility>
 
+#include "compiler/base/name_map.h"
+
 namespace texgraph::graph {
+namespace {
+
+// Objects with fewer keys are compared pair by pair.
+constexpr uint32_t kManyKeys = 12;
+
+}  // namespace
+
+// As soon as the object is whole: it lies in the cache then.
+void DocumentBuilder::FindDuplicateKeys(const DocumentNode& object) {
+  auto index = [&](const DocumentNode& node) {
+    return static_cast<uint32_t>(&node - document_.nodes.data());
+  };
+  if (object.child_count < kManyKeys) {
+    for (const DocumentNode& child : document_.children(object)) {
+      for (const DocumentNode& before : document_.children(object)) {
+        if (&before == &child) break;
+        if (before.key != child.key) continue;
+        document_.duplicate_keys.push_back({index(child), index(before)});
+        break;
+      }
+    }
+    return;
+  }
+  NameMap<uint32_t> seen;
+  seen.Reserve(object.child_count);
+  for (const DocumentNode& child : document_.children(object)) {
+    auto [first, fresh] = seen.Add(child.key, index(child));
+    if (!fresh) document_.duplicate_keys.push_back({index(child), *first});
+  }
+}
 
 // Makes the node at `index` the last child of the open container.
 void DocumentBuilder::Link(uint32_t index) {
@@ -28,7 +60,7 @@ void DocumentBuilder::Link(uint32_t index) {
   frame.last_child = index;
 }
 
-bool DocumentBuilder::Add(DocumentNode node) {
+bool DocumentBuilder::Add(const DocumentNode& node) {
   auto index = static_cast<uint32_t>(document_.nodes.size());
   if (index == kMaxDocumentNodes) {
     diagnostics_.Error(DiagnosticKind::kSizeLimit, node.range,
@@ -47,7 +79,7 @@ bool DocumentBuilder::TooDeep(SourceRange range) {
   return false;
 }
 
-bool DocumentBuilder::Open(DocumentNode node) {
+bool DocumentBuilder::Open(const DocumentNode& node) {
   if (depth_ == kMaxNesting) return TooDeep(node.range);
   auto index = static_cast<uint32_t>(document_.nodes.size());
   if (!Add(node)) return false;
@@ -58,6 +90,8 @@ bool DocumentBuilder::Open(DocumentNode node) {
 void DocumentBuilder::Close(uint32_t end) {
   Frame frame = open_[--depth_];
   document_.nodes[frame.node].range.end = end;
+  if (document_.nodes[frame.node].kind == DocumentKind::kObject)
+    FindDuplicateKeys(document_.nodes[frame.node]);
   last_height_ = frame.height + 1;
   if (depth_ > 0) open_[depth_ - 1].height = std::max(open_[depth_ - 1].height, last_height_);
 }

@@ -29,9 +29,9 @@ class DocumentBuilder {
   }
 
   // Appends a node to the open container. False, with a diagnostic, if there are too many.
-  bool Add(DocumentNode node);
+  bool Add(const DocumentNode& node);
   // The same for an array or object, which stays open; too many may be open, too.
-  bool Open(DocumentNode node);
+  bool Open(const DocumentNode& node);
   // Ends the innermost container at this offset of its source.
   void Close(uint32_t end);
   // Appends a copy of the finished nodes [begin, end), a node and all below it, shown at `range`.
@@ -49,6 +49,7 @@ class DocumentBuilder {
     int height;  // of the highest child so far
   };
   void Link(uint32_t index);
+  void FindDuplicateKeys(const DocumentNode& object);
   bool TooDeep(SourceRange range);
 
   Document& document_;

@@ -3,6 +3,9 @@
 // blocks. docs/graph-format.md is the user's description, docs/graph.schema.json the formal one.
 #pragma once
 
+#include <array>
+#include <initializer_list>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,14 +19,55 @@
 namespace texgraph::graph {
 
 // What stands at a port: a literal or, as a string, the name of a thing.
+// The numbers of one value: one for a scalar, the components of a vector, a matrix row by row. Few
+// need no memory of their own.
+class Numbers {
+ public:
+  using value_type = double;
+  using const_iterator = const double*;
+
+  Numbers() = default;
+  Numbers(std::initializer_list<double> numbers) {
+    for (double number : numbers) push_back(number);
+  }
+  Numbers(const Numbers& other) { *this = other; }
+  Numbers& operator=(const Numbers& other) {
+    few_ = other.few_;
+    many_ = other.many_ ? std::make_unique<std::vector<double>>(*other.many_) : nullptr;
+    size_ = other.size_;
+    return *this;
+  }
+  Numbers(Numbers&&) = default;
+  Numbers& operator=(Numbers&&) = default;
+
+  void push_back(double number) {
+    if (size_ < few_.size()) {
+      few_[size_] = number;
+    } else {
+      if (!many_) many_ = std::make_unique<std::vector<double>>(few_.begin(), few_.end());
+      many_->push_back(number);
+    }
+    ++size_;
+  }
+  const double* begin() const { return many_ ? many_->data() : few_.data(); }
+  const double* end() const { return begin() + size_; }
+  size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+  double operator[](size_t i) const { return begin()[i]; }
+
+ private:
+  std::array<double, 2> few_{};
+  std::unique_ptr<std::vector<double>> many_;  // all of them, if they are more
+  uint32_t size_ = 0;
+};
+
 struct Argument {
   enum class Kind : uint8_t { kNumber, kBool, kVector, kString };
   Kind kind = Kind::kNumber;
   bool boolean = false;
   bool is_integer = false;  // all numbers were written without '.' and exponent
-  std::vector<double>
-      numbers;  // kNumber: one; kVector: the components; kVector of arrays is flattened row by row
-  std::string_view text;  // kString
+  Numbers numbers;          // kNumber: one; kVector: all components
+  std::string_view text;    // kString
   SourceRange range;
 };
 

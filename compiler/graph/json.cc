@@ -62,7 +62,12 @@ class JsonReader {
   std::string_view Word() const;
   const char* ContainerName() const { return builder_.InObject() ? "object" : "array"; }
 
-  bool SkipSpace();
+  // Between tokens; false after a wrong comment. Mostly there is nothing, or one space.
+  bool SkipSpace() {
+    if (Peek() > '/') return true;
+    return SkipMore();
+  }
+  bool SkipMore();
   bool SkipComment();
   Step ReadValue();
   Step OpenContainer(DocumentKind kind);
@@ -109,7 +114,7 @@ std::string_view JsonReader::Word() const {
   return text_.substr(at_, end - at_);
 }
 
-bool JsonReader::SkipSpace() {
+bool JsonReader::SkipMore() {
   while (true) {
     size_t at = at_;
     while (at < text_.size() && kIsSpace[static_cast<uint8_t>(text_[at])]) ++at;

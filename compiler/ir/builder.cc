@@ -25,8 +25,10 @@ bool IsCommutative(Op op) {
     case Op::kDot:
     case Op::kLogicalAnd:
     case Op::kLogicalOr:
-    case Op::kLogicalXor: return true;
-    default: return false;
+    case Op::kLogicalXor:
+      return true;
+    default:
+      return false;
   }
 }
 
@@ -56,7 +58,8 @@ Builder::Builder(Module& module, Function& function, BuilderOptions options)
   }
 }
 
-// --- Constants ---------------------------------------------------------------------------------------------------
+// --- Constants
+// ---------------------------------------------------------------------------------------------------
 
 ValueId Builder::Const(ConstId id) {
   if (2 * constant_count_ >= constant_slots_.size()) {
@@ -77,7 +80,8 @@ ValueId Builder::Const(ConstId id) {
 ValueId& Builder::ConstantSlot(ConstId id) {
   const size_t mask = constant_slots_.size() - 1;
   size_t slot = id.index * 0x9e3779b9u & mask;
-  while (constant_slots_[slot] && (*this)[constant_slots_[slot]].aux != id.index) slot = (slot + 1) & mask;
+  while (constant_slots_[slot] && (*this)[constant_slots_[slot]].aux != id.index)
+    slot = (slot + 1) & mask;
   return constant_slots_[slot];
 }
 
@@ -121,9 +125,11 @@ std::span<const uint32_t> Builder::ConstWords(ValueId v) const {
   return module_.Words(ConstId((*this)[v].aux));
 }
 
-// --- Emission ----------------------------------------------------------------------------------------------------
+// --- Emission
+// ----------------------------------------------------------------------------------------------------
 
-ValueId Builder::Append(Op op, TypeId type, std::span<const ValueId> operands, uint32_t aux, bool in_body) {
+ValueId Builder::Append(Op op, TypeId type, std::span<const ValueId> operands, uint32_t aux,
+                        bool in_body) {
   Inst inst;
   inst.op = op;
   inst.operand_count = static_cast<uint16_t>(operands.size());
@@ -131,17 +137,18 @@ ValueId Builder::Append(Op op, TypeId type, std::span<const ValueId> operands, u
   inst.first_operand = static_cast<uint32_t>(function_.operands.size());
   inst.aux = aux;
   // `operands` may point into function_.operands itself, which may move.
-  std::array<ValueId, 16> few;
-  if (operands.size() <= few.size()) {
-    std::ranges::copy(operands, few.begin());
-    function_.operands.insert(function_.operands.end(), few.begin(), few.begin() + operands.size());
-  } else {
-    std::vector<ValueId> many(operands.begin(), operands.end());
-    function_.operands.insert(function_.operands.end(), many.begin(), many.end());
+  std::vector<ValueId>& all = function_.operands;
+  const bool inside = !operands.empty() && operands.data() >= all.data() &&
+                      operands.data() < all.data() + all.size();
+  const size_t first = inside ? static_cast<size_t>(operands.data() - all.data()) : 0;
+  for (size_t i = 0; i < operands.size(); ++i) {
+    const ValueId operand = inside ? all[first + i] : operands[i];
+    all.push_back(operand);
   }
   ValueId v(function_.insts.size());
   function_.insts.push_back(inst);
-  function_.origins.resize(v.index);  // of parsed functions, which have none
+  if (function_.origins.size() != v.index)
+    function_.origins.resize(v.index);  // parsed functions have none
   function_.origins.push_back(origin_);
   if (in_body) function_.regions[open_.back().index].body.push_back(v);
   return v;
@@ -196,10 +203,14 @@ ValueId Builder::Emit(Op op, TypeId type, std::span<const ValueId> operands, uin
 ValueId Builder::Op1(Op op, ValueId a) {
   TypeId type = TypeOf(a);
   switch (Info(op).shape) {
-    case OpShape::kLengthLike: return Emit(op, kFloat, {a});
-    case OpShape::kReduceBool: return Emit(op, kBool, {a});
-    case OpShape::kTestFloat: return Emit(op, Vector(Scalar::kBool, Width(type)), {a});
-    default: return Emit(op, type, {a});
+    case OpShape::kLengthLike:
+      return Emit(op, kFloat, {a});
+    case OpShape::kReduceBool:
+      return Emit(op, kBool, {a});
+    case OpShape::kTestFloat:
+      return Emit(op, Vector(Scalar::kBool, Width(type)), {a});
+    default:
+      return Emit(op, type, {a});
   }
 }
 
@@ -219,10 +230,12 @@ ValueId Builder::Op2(Op op, ValueId a, ValueId b) {
   }
   TypeId type = TypeOf(a);
   switch (Info(op).shape) {
-    case OpShape::kDotLike: return Emit(op, kFloat, {a, b});
+    case OpShape::kDotLike:
+      return Emit(op, kFloat, {a, b});
     case OpShape::kComparison:
       return Emit(op, Vector(Scalar::kBool, Width(type)), {a, b});
-    default: return Emit(op, type, {a, b});
+    default:
+      return Emit(op, type, {a, b});
   }
 }
 
@@ -304,7 +317,8 @@ ValueId Builder::Result(ValueId value, uint32_t index, uint32_t result_count) {
   return result_count == 1 ? value : Extract(value, index);
 }
 
-// --- Structure ---------------------------------------------------------------------------------------------------
+// --- Structure
+// ---------------------------------------------------------------------------------------------------
 
 ValueId Builder::AddParameter(Parameter parameter) {
   uint32_t index = static_cast<uint32_t>(function_.parameters.size());
@@ -334,7 +348,8 @@ ValueId Builder::AddRegionParameter(TypeId type) {
 void Builder::EndRegion(std::span<const ValueId> results) {
   function_.regions[open_.back().index].results.assign(results.begin(), results.end());
   open_.pop_back();
-  // Values of the closed region are out of scope: newest first, so each entry is the head of its chain.
+  // Values of the closed region are out of scope: newest first, so each entry is the head of its
+  // chain.
   for (size_t mark = scope_marks_.back(); entries_.size() > mark; entries_.pop_back()) {
     buckets_[entries_.back().hash & (buckets_.size() - 1)] = entries_.back().next;
   }
@@ -387,13 +402,15 @@ ValueId Builder::If(ValueId condition, RegionId then_region, RegionId else_regio
       }
       ValueId branch = If(condition, then_region, else_region);
       for (size_t i = 0; i < differing.size(); ++i) {
-        all[differing[i]] = Result(branch, static_cast<uint32_t>(i), static_cast<uint32_t>(differing.size()));
+        all[differing[i]] =
+            Result(branch, static_cast<uint32_t>(i), static_cast<uint32_t>(differing.size()));
       }
       return whole(all);
     }
   }
   function_.branches.push_back({then_region, else_region});
-  return Append(Op::kIf, type, {{condition}}, static_cast<uint32_t>(function_.branches.size() - 1), true);
+  return Append(Op::kIf, type, {{condition}}, static_cast<uint32_t>(function_.branches.size() - 1),
+                true);
 }
 
 ValueId Builder::For(ForLoop loop, std::span<const ValueId> initial) {
@@ -414,7 +431,8 @@ void Builder::Return(std::span<const ValueId> values) {
   function_.regions[function_.body.index].results.assign(values.begin(), values.end());
 }
 
-// --- Names -------------------------------------------------------------------------------------------------------
+// --- Names
+// -------------------------------------------------------------------------------------------------------
 
 void Builder::Name(ValueId v, std::string_view name) {
   if (!name.empty()) Name(v, module_.InternName(name));

@@ -6,22 +6,40 @@
 
 namespace texgraph::ir {
 
-// --- Liveness ----------------------------------------------------------------------------------------------------
+// --- Liveness
+// ----------------------------------------------------------------------------------------------------
 
-Liveness::Liveness(const Module& module, const Function& function, FunctionId self, const SignatureUse* use)
+Liveness::Liveness(const Module& module, const Function& function, FunctionId self,
+                   const SignatureUse* use)
     : module_(module), function_(function), use_(use), live_(function.insts.size()) {
   Index();
+  seen_from_ = function.insts.size();
   const std::vector<ValueId>& results = function.Body().results;
   for (size_t i = 0; i < results.size(); ++i) {
     if (!use || !self || use->Result(self, i)) Mark(results[i]);
   }
-  while (!work_.empty()) {
-    auto [value, index] = work_.back();
-    work_.pop_back();
-    if (index == kSingle) {
-      Visit(value);
+  VisitAll();
+}
+
+void Liveness::VisitAll() {
+  while (seen_from_-- > 0) {
+    const ValueId v(seen_from_);
+    if (!live_[v.index]) continue;
+    if (first_result_[v.index] == kSingle) {
+      Visit(v);
     } else {
-      VisitResult(value, index);
+      for (uint32_t i = 0; i < ResultCount(v); ++i) {
+        if (LiveResult(v, i)) VisitResult(v, i);
+      }
+    }
+    while (!work_.empty()) {
+      auto [value, index] = work_.back();
+      work_.pop_back();
+      if (index == kSingle) {
+        Visit(value);
+      } else {
+        VisitResult(value, index);
+      }
     }
   }
 }
@@ -48,9 +66,14 @@ uint32_t Liveness::ResultCount(ValueId v) const {
 }
 
 void Liveness::Mark(ValueId v) {
+  if (first_result_[v.index] != kSingle) {
+    // A tuple that is used whole.
+    for (uint32_t i = 0; i < ResultCount(v); ++i) MarkResult(v, i);
+    return;
+  }
   if (live_[v.index]) return;
   live_[v.index] = true;
-  work_.emplace_back(v, kSingle);
+  if (v.index >= seen_from_) work_.emplace_back(v, kSingle);
 }
 
 void Liveness::MarkResult(ValueId v, uint32_t i) {
@@ -58,13 +81,14 @@ void Liveness::MarkResult(ValueId v, uint32_t i) {
   live_[v.index] = true;
   if (result_live_[first_result_[v.index] + i]) return;
   result_live_[first_result_[v.index] + i] = true;
-  work_.emplace_back(v, i);
+  if (v.index >= seen_from_) work_.emplace_back(v, i);
 }
 
 void Liveness::Visit(ValueId v) {
   const Inst& inst = function_[v];
   switch (inst.op) {
-    case Op::kConst: return;
+    case Op::kConst:
+      return;
     case Op::kParam:
       if (auto carried = carried_.find(v); carried != carried_.end()) {
         MarkResult(carried->second.first, carried->second.second);
@@ -78,10 +102,7 @@ void Liveness::Visit(ValueId v) {
     case Op::kIf:
     case Op::kFor:
     case Op::kCall:
-      // The only result, or a tuple that is used whole.
-      if (first_result_[v.index] == kSingle) return VisitResult(v, 0);
-      for (uint32_t i = 0; i < ResultCount(v); ++i) MarkResult(v, i);
-      return;
+      return VisitResult(v, 0);
     default:
       for (ValueId operand : function_.Operands(inst)) Mark(operand);
   }
@@ -106,7 +127,8 @@ void Liveness::VisitResult(ValueId v, uint32_t i) {
   }
 }
 
-// --- Rebuilder ---------------------------------------------------------------------------------------------------
+// --- Rebuilder
+// ---------------------------------------------------------------------------------------------------
 
 Rebuilder::Rebuilder(Module& module, const Function& from, const Liveness& live, Builder& to)
     : module_(module), from_(from), live_(live), to_(to), map_(from.insts.size()) {}
@@ -155,9 +177,15 @@ void Rebuilder::CopyOne(ValueId old) {
   const Inst& inst = from_[old];
   SetOrigin(old);
   switch (inst.op) {
-    case Op::kIf: SetResults(old, CopyIf(old)); break;
-    case Op::kFor: SetResults(old, CopyFor(old)); break;
-    case Op::kCall: CopyCallResults(old); break;
+    case Op::kIf:
+      SetResults(old, CopyIf(old));
+      break;
+    case Op::kFor:
+      SetResults(old, CopyFor(old));
+      break;
+    case Op::kCall:
+      CopyCallResults(old);
+      break;
     case Op::kExtract: {
       auto many = first_result_.find(from_.Operands(inst)[0]);
       if (many == first_result_.end()) {
@@ -168,7 +196,9 @@ void Rebuilder::CopyOne(ValueId old) {
       TookResult(old);
       break;
     }
-    default: Set(old, Copy(old)); break;
+    default:
+      Set(old, Copy(old));
+      break;
   }
   if (Get(old)) to_.Name(Get(old), from_.NameOf(old));
 }
@@ -179,7 +209,8 @@ ValueId Rebuilder::Copy(ValueId old) {
   std::array<ValueId, 8> few;
   if (operands.size() > few.size()) return to_.Emit(inst.op, inst.type, GetAll(operands), inst.aux);
   for (size_t i = 0; i < operands.size(); ++i) few[i] = Get(operands[i]);
-  return to_.Emit(inst.op, inst.type, std::span<const ValueId>(few.data(), operands.size()), inst.aux);
+  return to_.Emit(inst.op, inst.type, std::span<const ValueId>(few.data(), operands.size()),
+                  inst.aux);
 }
 
 void Rebuilder::CopyCallResults(ValueId old) {
@@ -302,7 +333,8 @@ std::vector<ValueId> Rebuilder::CopyFor(ValueId old) {
   return results;
 }
 
-void CopyInline(const Function& callee, std::span<const ValueId> arguments, Builder& to, std::span<ValueId> results) {
+void CopyInline(const Function& callee, std::span<const ValueId> arguments, Builder& to,
+                std::span<ValueId> results) {
   const Region& body = callee.Body();
   // Small functions are what is copied so: their values fit here.
   std::array<ValueId, 64> few;
@@ -319,8 +351,8 @@ void CopyInline(const Function& callee, std::span<const ValueId> arguments, Buil
   for (ValueId v : body.body) {
     const Inst& inst = callee[v];
     many_operands.resize(inst.operand_count > few_operands.size() ? inst.operand_count : 0);
-    const std::span<ValueId> operands(many_operands.empty() ? few_operands.data() : many_operands.data(),
-                                      inst.operand_count);
+    const std::span<ValueId> operands(
+        many_operands.empty() ? few_operands.data() : many_operands.data(), inst.operand_count);
     for (size_t i = 0; i < operands.size(); ++i) operands[i] = get(callee.Operands(inst)[i]);
     map[v.index] = to.Emit(inst.op, inst.type, operands, inst.aux);
   }

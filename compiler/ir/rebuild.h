@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every pass is made of: Liveness says which values of a function its results need, and Rebuilder copies just these into
-// another function through a Builder, so that folding, merging and dead code removal come for free. With a folding builder,
-// ifs on constants become the taken side, loops of no or one round become straight code, and what a loop carries unchanged
-// leaves it. A pass overrides how one instruction is copied.
+// What every pass is made of: Liveness says which values of a function its results need, and
+// Rebuilder copies just these into another function through a Builder, so that folding, merging and
+// dead code removal come for free. With a folding builder, ifs on constants become the taken side,
+// loops of no or one round become straight code, and what a loop carries unchanged leaves it. A
+// pass overrides how one instruction is copied.
 #pragma once
 
 #include <span>
@@ -14,12 +15,14 @@
 
 namespace texgraph::ir {
 
-// Which parameters and results of each function matter, by FunctionId; missing entries mean all of them.
+// Which parameters and results of each function matter, by FunctionId; missing entries mean all of
+// them.
 struct SignatureUse {
   std::vector<std::vector<bool>> parameters;
   std::vector<std::vector<bool>> results;
   bool Parameter(FunctionId f, size_t i) const {
-    return f.index >= parameters.size() || i >= parameters[f.index].size() || parameters[f.index][i];
+    return f.index >= parameters.size() || i >= parameters[f.index].size() ||
+           parameters[f.index][i];
   }
   bool Result(FunctionId f, size_t i) const {
     return f.index >= results.size() || i >= results[f.index].size() || results[f.index][i];
@@ -28,14 +31,16 @@ struct SignatureUse {
 
 class Liveness {
  public:
-  // `self` is the function's own id; only results that `use` keeps are roots. Without `use` everything counts.
+  // `self` is the function's own id; only results that `use` keeps are roots. Without `use`
+  // everything counts.
   Liveness(const Module& module, const Function& function, FunctionId self = {},
            const SignatureUse* use = nullptr);
 
   bool Live(ValueId v) const { return live_[v.index]; }
   // The i-th result of a call, an if or a loop (0 for one with a single result).
   bool LiveResult(ValueId v, uint32_t i) const {
-    return first_result_[v.index] == kSingle ? live_[v.index] : result_live_[first_result_[v.index] + i];
+    return first_result_[v.index] == kSingle ? live_[v.index]
+                                             : result_live_[first_result_[v.index] + i];
   }
   uint32_t ResultCount(ValueId v) const;
 
@@ -50,11 +55,15 @@ class Liveness {
   const Module& module_;
   const Function& function_;
   const SignatureUse* use_;
-  std::vector<bool> live_;
-  std::vector<uint32_t> first_result_;       // by value: into result_live_, or kSingle
-  std::vector<bool> result_live_;
-  std::unordered_map<ValueId, std::pair<ValueId, uint32_t>> carried_;  // loop parameter: its loop and index
-  std::vector<std::pair<ValueId, uint32_t>> work_;  // kSingle as index: the value itself
+  std::vector<uint8_t> live_;
+  std::vector<uint32_t> first_result_;  // by value: into result_live_, or kSingle
+  std::vector<uint8_t> result_live_;
+  std::unordered_map<ValueId, std::pair<ValueId, uint32_t>>
+      carried_;  // loop parameter: its loop and index
+  // Values from here on were looked at: users come after what they use, but in loops.
+  size_t seen_from_ = 0;
+  std::vector<std::pair<ValueId, uint32_t>> work_;  // of those; kSingle as index: the value itself
+  void VisitAll();
 };
 
 class Rebuilder {
@@ -75,7 +84,8 @@ class Rebuilder {
   std::vector<ValueId> GetAll(std::span<const ValueId> old);
 
  protected:
-  // The copy of one instruction that is no constant, parameter, if, loop or call. The default emits the same operation.
+  // The copy of one instruction that is no constant, parameter, if, loop or call. The default emits
+  // the same operation.
   virtual ValueId Copy(ValueId old);
   // Fills in the results of a copied call, by their index in `from`; dead ones may be left invalid.
   virtual void CopyCall(ValueId old, std::span<ValueId> results);
@@ -107,11 +117,13 @@ class Rebuilder {
   std::vector<ValueId> results_;
 };
 
-// Copies the body of `callee`, which has neither ifs nor loops, to where the builder stands, without its names, and fills in
-// its results.
-void CopyInline(const Function& callee, std::span<const ValueId> arguments, Builder& to, std::span<ValueId> results);
+// Copies the body of `callee`, which has neither ifs nor loops, to where the builder stands,
+// without its names, and fills in its results.
+void CopyInline(const Function& callee, std::span<const ValueId> arguments, Builder& to,
+                std::span<ValueId> results);
 
-// Replaces module[id] by an empty function with the same name, display name and origin, and returns the old one.
+// Replaces module[id] by an empty function with the same name, display name and origin, and returns
+// the old one.
 Function TakeFunction(Module& module, FunctionId id);
 
 }  // namespace texgraph::ir

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// BuildModule: a checked graph becomes main, one function for each graph function, and one for each plain output that stands at
-// a function port. Every function but main takes the built-in inputs that it depends on as parameters, so a graph function
-// inside a field sees the coordinate that the block asks for.
+// BuildModule: a checked graph becomes main, one function for each graph function, and one for each
+// plain output that stands at a function port. Every function but main takes the built-in inputs
+// that it depends on as parameters, so a graph function inside a field sees the coordinate that the
+// block asks for.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <map>
 #include <string>
 #include <vector>
-
-#include <fmt/format.h>
 
 #include "compiler/ir/builder.h"
 #include "compiler/passes/passes.h"
@@ -23,7 +24,8 @@ using graph::CheckedSubgraph;
 using ir::ValueId;
 
 constexpr uint32_t kBuiltinCount = std::size(kBuiltinInputs);
-// Functions at function ports of nodes that are themselves evaluated for a function port, and so on.
+// Functions at function ports of nodes that are themselves evaluated for a function port, and so
+// on.
 constexpr int kMaxFieldDepth = 64;
 
 // A value of the scope around a field that the field's function takes as a further parameter.
@@ -74,7 +76,8 @@ class Program {
  private:
   void DeclareGlobals();
   void FindUse(const CheckedSubgraph& subgraph);
-  BuiltinSet UseOf(const CheckedSubgraph& subgraph, const BoundPort& bound, const blocks::Port* port) const;
+  BuiltinSet UseOf(const CheckedSubgraph& subgraph, const BoundPort& bound,
+                   const blocks::Port* port) const;
   void BuildGraphFunction(uint32_t index);
   void BuildMain();
 
@@ -85,8 +88,8 @@ class Program {
   int field_depth_ = 0;
 };
 
-// Which built-in inputs a prototype's parameters replace, by parameter: the one of its name, or, where no parameter has the
-// name, uv for the first vec2 and position for the first vec3.
+// Which built-in inputs a prototype's parameters replace, by parameter: the one of its name, or,
+// where no parameter has the name, uv for the first vec2 and position for the first vec3.
 std::vector<int> ReplacedBuiltins(const ir::Types& types, ir::TypeId field_type,
                                   const std::vector<std::string>& names) {
   const std::vector<ir::TypeId>& elements = types[field_type].elements;
@@ -94,7 +97,8 @@ std::vector<int> ReplacedBuiltins(const ir::Types& types, ir::TypeId field_type,
   auto type_of = [&](uint32_t builtin) { return types.Find(kBuiltinInputs[builtin].type); };
   for (size_t p = 0; p < names.size(); ++p) {
     for (uint32_t b = 0; b < kBuiltinCount; ++b) {
-      if (kBuiltinInputs[b].name == names[p] && type_of(b) == elements[p + 1]) replaced[p] = static_cast<int>(b);
+      if (kBuiltinInputs[b].name == names[p] && type_of(b) == elements[p + 1])
+        replaced[p] = static_cast<int>(b);
     }
   }
   for (int b : {0, 1}) {
@@ -128,7 +132,7 @@ class Scope {
         is_field_(is_field),
         replaced_(replaced),
         inputs_(subgraph.input_types.size()),
-        outputs_(subgraph.nodes.size()) {}
+        first_output_(subgraph.nodes.size(), kNotEmitted) {}
 
   ir::Builder& builder() { return builder_; }
   void SetBuiltin(uint32_t index, ValueId value) { builtins_[index] = value; }
@@ -136,7 +140,8 @@ class Scope {
   std::vector<Capture> captures() const { return captures_; }
 
   ValueId Builtin(uint32_t index);
-  // The value of a port; `port` is null for the ports of graph functions and for outputs. Invalid after an error.
+  // The value of a port; `port` is null for the ports of graph functions and for outputs. Invalid
+  // after an error.
   ValueId Value(const BoundPort& bound, const blocks::Port* port);
   // The value that a field's source gives here; `parameters` are the prototype's.
   ValueId FieldBody(const BoundPort& bound, std::span<const ValueId> parameters);
@@ -154,8 +159,9 @@ class Scope {
   void EmitWithNeeds(uint32_t node);
   void PushNeeds(uint32_t node, std::vector<uint32_t>& stack);
   void Emit(uint32_t node);
-  void EmitBlock(const CheckedNode& node, std::vector<ValueId>& outputs);
-  void EmitGraphFunction(const CheckedNode& node, std::vector<ValueId>& outputs);
+  void EmitBlock(const CheckedNode& node, uint32_t index);
+  void EmitGraphFunction(const CheckedNode& node, uint32_t index);
+  void AddOutput(const CheckedNode& node, uint32_t index, uint32_t output, ValueId value);
   std::vector<ValueId> CallGraphFunction(uint32_t function, std::vector<ValueId> arguments);
 
   Program& program_;
@@ -165,8 +171,10 @@ class Scope {
   const BuiltinSet replaced_;
   std::array<ValueId, kBuiltinCount> builtins_;
   std::vector<ValueId> inputs_;
-  std::vector<std::vector<ValueId>> outputs_;  // by node, empty until it was emitted
-  std::vector<bool> needed_;                   // by node: it will be emitted, or was
+  static constexpr uint32_t kNotEmitted = 0xffffffffu;
+  std::vector<uint32_t> first_output_;  // by node: where its outputs begin
+  std::vector<ValueId> outputs_;
+  std::vector<bool> needed_;  // by node: it will be emitted, or was
   std::vector<Capture> captures_;
   std::map<Capture, ValueId> captured_;
 };
@@ -200,7 +208,8 @@ ValueId Scope::Input(uint32_t index) {
 std::string OutputName(const CheckedNode& node, uint32_t output) {
   std::string name(node.node->name);
   if (node.block && output > 0) return name + "_" + node.overload->outputs[output].name;
-  if (node.block && node.overload->outputs[0].name != "result" && node.overload->outputs.size() > 1) {
+  if (node.block && node.overload->outputs[0].name != "result" &&
+      node.overload->outputs.size() > 1) {
     return name + "_" + node.overload->outputs[0].name;
   }
   return name;
@@ -210,20 +219,24 @@ ValueId Scope::Output(graph::NodeOutput source) {
   const CheckedNode& node = subgraph_.nodes[source.node];
   if (IsCaptured(source.node)) {
     ir::TypeId type =
-        node.block ? node.overload->outputs[source.output].type
-                   : program_.module[program_.graph_functions[node.function]].results[source.output].type;
+        node.block
+            ? node.overload->outputs[source.output].type
+            : program_.module[program_.graph_functions[node.function]].results[source.output].type;
     return CaptureValue({Capture::Kind::kNodeOutput, source.node, source.output}, type,
                         OutputName(node, source.output));
   }
-  if (outputs_[source.node].empty()) EmitWithNeeds(source.node);
-  return outputs_[source.node][source.output];
+  if (first_output_[source.node] == kNotEmitted) EmitWithNeeds(source.node);
+  return program_.failed ? ValueId() : outputs_[first_output_[source.node] + source.output];
 }
 
 ValueId Scope::Resolve(const Capture& capture) {
   switch (capture.kind) {
-    case Capture::Kind::kBuiltin: return Builtin(capture.index);
-    case Capture::Kind::kFunctionInput: return Input(capture.index);
-    default: return Output({capture.index, capture.output});
+    case Capture::Kind::kBuiltin:
+      return Builtin(capture.index);
+    case Capture::Kind::kFunctionInput:
+      return Input(capture.index);
+    default:
+      return Output({capture.index, capture.output});
   }
 }
 
@@ -307,7 +320,8 @@ void Scope::PushNeeds(uint32_t node, std::vector<uint32_t>& stack) {
   }
 }
 
-// Emits a node after all that it needs, in the graph's order, without recursion: chains may be long.
+// Emits a node after all that it needs, in the graph's order, without recursion: chains may be
+// long.
 void Scope::EmitWithNeeds(uint32_t node) {
   std::vector<uint32_t> needed;
   std::vector<uint32_t> stack{node};
@@ -315,7 +329,7 @@ void Scope::EmitWithNeeds(uint32_t node) {
   while (!stack.empty()) {
     uint32_t next = stack.back();
     stack.pop_back();
-    if (needed_[next] || !outputs_[next].empty() || IsCaptured(next)) continue;
+    if (needed_[next] || IsCaptured(next)) continue;
     needed_[next] = true;
     needed.push_back(next);
     PushNeeds(next, stack);
@@ -326,28 +340,31 @@ void Scope::EmitWithNeeds(uint32_t node) {
 
 void Scope::Emit(uint32_t index) {
   const CheckedNode& node = subgraph_.nodes[index];
-  std::vector<ValueId> outputs;
   ir::OriginId outer = builder_.origin();
   if (!program_.failed) {
-    std::string block = node.block ? node.block->name
-                                   : std::string(program_.graph.functions[node.function].subgraph->name);
-    builder_.SetOrigin(program_.module.AddOrigin(
-        {std::string(node.node->name), block, node.block ? node.block->path : "function of the graph"}));
+    std::string block = node.block
+                            ? node.block->name
+                            : std::string(program_.graph.functions[node.function].subgraph->name);
+    builder_.SetOrigin(
+        program_.module.AddOrigin({std::string(node.node->name), block,
+                                   node.block ? node.block->path : "function of the graph"}));
     if (node.block) {
-      EmitBlock(node, outputs);
+      EmitBlock(node, index);
     } else {
-      EmitGraphFunction(node, outputs);
-    }
-    for (size_t i = 0; i < outputs.size(); ++i) {
-      if (outputs[i]) builder_.Name(outputs[i], OutputName(node, static_cast<uint32_t>(i)));
+      EmitGraphFunction(node, index);
     }
   }
-  if (outputs.empty()) outputs.resize(64);  // after an error: whatever is asked for is invalid
-  outputs_[index] = std::move(outputs);
   builder_.SetOrigin(outer);
 }
 
-void Scope::EmitBlock(const CheckedNode& node, std::vector<ValueId>& outputs) {
+// Outputs are added in their order, all of one node at once.
+void Scope::AddOutput(const CheckedNode& node, uint32_t index, uint32_t output, ValueId value) {
+  if (output == 0) first_output_[index] = static_cast<uint32_t>(outputs_.size());
+  outputs_.push_back(value);
+  builder_.Name(value, OutputName(node, output));
+}
+
+void Scope::EmitBlock(const CheckedNode& node, uint32_t index) {
   std::vector<ir::ConstId> template_values;
   std::vector<ValueId> arguments;
   arguments.reserve(node.inputs.size());
@@ -365,17 +382,18 @@ void Scope::EmitBlock(const CheckedNode& node, std::vector<ValueId>& outputs) {
   if (program_.failed) return;
   ValueId call = builder_.Call(callee, arguments);
   uint32_t count = static_cast<uint32_t>(node.overload->outputs.size());
-  outputs.reserve(count);
-  for (uint32_t i = 0; i < count; ++i) outputs.push_back(builder_.Result(call, i, count));
+  for (uint32_t i = 0; i < count; ++i) AddOutput(node, index, i, builder_.Result(call, i, count));
 }
 
-void Scope::EmitGraphFunction(const CheckedNode& node, std::vector<ValueId>& outputs) {
+void Scope::EmitGraphFunction(const CheckedNode& node, uint32_t index) {
   std::vector<ValueId> arguments;
   for (const BoundPort& bound : node.inputs) {
     arguments.push_back(Value(bound, nullptr));
     if (!arguments.back()) program_.failed = true;
   }
-  if (!program_.failed) outputs = CallGraphFunction(node.function, std::move(arguments));
+  if (program_.failed) return;
+  const std::vector<ValueId> results = CallGraphFunction(node.function, std::move(arguments));
+  for (uint32_t i = 0; i < results.size(); ++i) AddOutput(node, index, i, results[i]);
 }
 
 std::vector<ValueId> Scope::CallGraphFunction(uint32_t function, std::vector<ValueId> arguments) {
@@ -390,16 +408,21 @@ std::vector<ValueId> Scope::CallGraphFunction(uint32_t function, std::vector<Val
   return results;
 }
 
-// --- Program -----------------------------------------------------------------------------------------------------
+// --- Program
+// -----------------------------------------------------------------------------------------------------
 
 void Program::DeclareGlobals() {
   parameters_.resize(graph.parameters.size());
   textures_.resize(graph.graph->textures.size());
   for (uint32_t b = 0; b < kBuiltinCount; ++b) {
     // A coordinate varies over the surface; time is the same for a whole frame.
-    ir::GlobalKind kind = kBuiltinInputs[b].name == "time" ? ir::GlobalKind::kUniform : ir::GlobalKind::kInput;
-    builtins_[b] = module.AddGlobal(
-        {kind, std::string(kBuiltinInputs[b].name), module.types.Find(kBuiltinInputs[b].type), {}, true});
+    ir::GlobalKind kind =
+        kBuiltinInputs[b].name == "time" ? ir::GlobalKind::kUniform : ir::GlobalKind::kInput;
+    builtins_[b] = module.AddGlobal({kind,
+                                     std::string(kBuiltinInputs[b].name),
+                                     module.types.Find(kBuiltinInputs[b].type),
+                                     {},
+                                     true});
   }
   for (size_t i = 0; i < graph.parameters.size(); ++i) {
     const graph::CheckedParameter& parameter = graph.parameters[i];
@@ -413,14 +436,16 @@ void Program::DeclareGlobals() {
   for (size_t i = 0; i < textures_.size(); ++i) {
     const graph::Texture& texture = graph.graph->textures[i];
     // Textures of equal files and sampler state share one sampler.
-    if (uint32_t same = graph::FirstEqualTexture(*graph.graph, static_cast<uint32_t>(i)); same < i) {
+    if (uint32_t same = graph::FirstEqualTexture(*graph.graph, static_cast<uint32_t>(i));
+        same < i) {
       textures_[i] = textures_[same];
       continue;
     }
-    textures_[i] =
-        module.AddGlobal({ir::GlobalKind::kTexture, std::string(texture.name),
-                          texture.is_array ? ir::kSampler2DArray : ir::kSampler2D, {},
-                          texture.filter == graph::TextureFilter::kLinear});
+    textures_[i] = module.AddGlobal({ir::GlobalKind::kTexture,
+                                     std::string(texture.name),
+                                     texture.is_array ? ir::kSampler2DArray : ir::kSampler2D,
+                                     {},
+                                     texture.filter == graph::TextureFilter::kLinear});
   }
 }
 
@@ -459,16 +484,18 @@ void Program::FindUse(const CheckedSubgraph& subgraph) {
 }
 
 // What a field stands for, as text: equal keys give one function.
-std::string FieldKey(const CheckedSubgraph& subgraph, const BoundPort& bound, const blocks::Port& port) {
-  std::string key = fmt::format("{} {} {}", static_cast<const void*>(&subgraph), bound.source.index(),
-                                bound.type.index);
+std::string FieldKey(const CheckedSubgraph& subgraph, const BoundPort& bound,
+                     const blocks::Port& port) {
+  std::string key = fmt::format("{} {} {}", static_cast<const void*>(&subgraph),
+                                bound.source.index(), bound.type.index);
   if (auto* node = std::get_if<graph::FieldOfNode>(&bound.source)) {
     key += fmt::format(" {}.{}", node->source.node, node->source.output);
   } else if (auto* texture = std::get_if<graph::FieldOfTexture>(&bound.source)) {
     key += fmt::format(" {}", texture->texture);
   } else if (auto* function = std::get_if<graph::FieldOfFunction>(&bound.source)) {
     key += fmt::format(" {}.{}", function->function, function->output);
-    for (const std::optional<uint32_t>& p : bound.by_parameter) key += fmt::format(" {}", p ? int(*p) : -1);
+    for (const std::optional<uint32_t>& p : bound.by_parameter)
+      key += fmt::format(" {}", p ? int(*p) : -1);
   } else if (auto* parameter = std::get_if<graph::FieldOfParameter>(&bound.source)) {
     key += fmt::format(" {}", parameter->parameter);
   } else if (auto* builtin = std::get_if<graph::FieldOfBuiltin>(&bound.source)) {
@@ -483,8 +510,8 @@ std::string FieldKey(const CheckedSubgraph& subgraph, const BoundPort& bound, co
 }
 
 // The name that a field's function gets in the shader.
-std::string FieldName(const CheckedGraph& graph, const CheckedSubgraph& subgraph, const BoundPort& bound,
-                      const blocks::Port& port) {
+std::string FieldName(const CheckedGraph& graph, const CheckedSubgraph& subgraph,
+                      const BoundPort& bound, const blocks::Port& port) {
   if (auto* node = std::get_if<graph::FieldOfNode>(&bound.source)) {
     return OutputName(subgraph.nodes[node->source.node], node->source.output) + "_at";
   }
@@ -503,8 +530,9 @@ const FieldFunction* Program::Field(const CheckedSubgraph& subgraph, const Bound
   if (auto known = fields_.find(key); known != fields_.end()) return &known->second;
   if (failed) return nullptr;
   if (field_depth_ >= kMaxFieldDepth) {
-    diagnostics.Error(DiagnosticKind::kInstanceLimit, bound.range,
-                      fmt::format("more than {} function ports are nested in one another here", kMaxFieldDepth));
+    diagnostics.Error(
+        DiagnosticKind::kInstanceLimit, bound.range,
+        fmt::format("more than {} function ports are nested in one another here", kMaxFieldDepth));
     failed = true;
     return nullptr;
   }
@@ -539,7 +567,8 @@ void Program::BuildGraphFunction(uint32_t index) {
   FindUse(subgraph);
   BuiltinSet use = 0;
   for (BuiltinSet node : node_use_[&subgraph]) use |= node;
-  for (const graph::CheckedOutput& output : subgraph.outputs) use |= UseOf(subgraph, output.value, nullptr);
+  for (const graph::CheckedOutput& output : subgraph.outputs)
+    use |= UseOf(subgraph, output.value, nullptr);
   function_use.push_back(use);
   ir::Function function;
   function.display_name = std::string(subgraph.subgraph->name);
@@ -570,6 +599,7 @@ void Program::BuildGraphFunction(uint32_t index) {
 
 void Program::BuildMain() {
   FindUse(graph.main);
+  module.origins.reserve(module.origins.size() + graph.main.nodes.size());
   ir::Function function;
   function.name = function.display_name = "main";
   Scope scope(*this, graph.main, function, false, 0);

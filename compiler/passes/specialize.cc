@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Specialize: every function port is bound to a function, every constant that decides something is built into the function it
-// is passed to, and small functions are copied into their callers. Fields stay functions: a four-tap field nested d deep is d
-// functions, not 4^d copies.
+// Specialize: every function port is bound to a function, every constant that decides something is
+// built into the function it is passed to, and small functions are copied into their callers.
+// Fields stay functions: a four-tap field nested d deep is d functions, not 4^d copies.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 #include <deque>
@@ -10,8 +12,6 @@
 #include <string>
 #include <unordered_map>
 #include <vector>
-
-#include <fmt/format.h>
 
 #include "compiler/ir/rebuild.h"
 #include "compiler/passes/passes.h"
@@ -54,8 +54,10 @@ bool MakesNoWork(Op op) {
     case Op::kConstruct:
     case Op::kConvert:
     case Op::kBitcast:
-    case Op::kGlobal: return true;
-    default: return false;
+    case Op::kGlobal:
+      return true;
+    default:
+      return false;
   }
 }
 
@@ -69,8 +71,8 @@ bool IsInlined(const ir::Function& function) {
   return true;
 }
 
-// The parameters that decide something: they reach a comparison, a selection, a branch or an index through plain steps, so that
-// a constant makes code disappear. By parameter.
+// The parameters that decide something: they reach a comparison, a selection, a branch or an index
+// through plain steps, so that a constant makes code disappear. By parameter.
 std::vector<bool> DecidingParameters(const ir::Function& function,
                                      const std::vector<std::vector<bool>>& callees) {
   std::vector<ValueId> work;
@@ -80,16 +82,23 @@ std::vector<bool> DecidingParameters(const ir::Function& function,
       case Op::kLt:
       case Op::kLe:
       case Op::kEq:
-      case Op::kNe: work.insert(work.end(), operands.begin(), operands.end()); break;
+      case Op::kNe:
+        work.insert(work.end(), operands.begin(), operands.end());
+        break;
       case Op::kIf:
-      case Op::kSelect: work.push_back(operands[0]); break;
-      case Op::kIndex: work.push_back(operands[1]); break;
+      case Op::kSelect:
+        work.push_back(operands[0]);
+        break;
+      case Op::kIndex:
+        work.push_back(operands[1]);
+        break;
       case Op::kCall:
         for (size_t i = 0; i < operands.size(); ++i) {
           if (callees[inst.aux][i]) work.push_back(operands[i]);
         }
         break;
-      default: break;
+      default:
+        break;
     }
   }
   std::vector<bool> seen(function.insts.size()), deciding(function.parameters.size());
@@ -118,7 +127,8 @@ std::vector<bool> DecidingParameters(const ir::Function& function,
       case Op::kAll:
         for (ValueId operand : function.Operands(inst)) work.push_back(operand);
         break;
-      default: break;
+      default:
+        break;
     }
   }
   const std::vector<ValueId>& params = function.Body().params;
@@ -139,6 +149,7 @@ class Specializer {
   Callee Instance(FunctionId old, std::span<const Binding> bindings, std::string_view suffix);
   // Whether this constant is worth a function of its own.
   bool Binds(FunctionId callee, size_t parameter, ConstId value) const;
+  bool MayBind(FunctionId callee) const { return fold_ && variants_[callee.index] < kMaxVariants; }
   const ir::Function& old(FunctionId id) const { return old_[id.index]; }
   bool failed() const { return failed_; }
 
@@ -182,8 +193,8 @@ class InstanceRebuilder : public ir::Rebuilder {
   void CopyCall(ValueId old, std::span<ValueId> results) override;
 
  private:
-  // Calls an instance of `callee`, the small ones by copying them here. `old_arguments` are the old function's values, then
-  // come new ones.
+  // Calls an instance of `callee`, the small ones by copying them here. `old_arguments` are the old
+  // function's values, then come new ones.
   void CallInstance(ValueId old, FunctionId callee, std::span<const ValueId> old_arguments,
                     std::span<const ValueId> captured, std::span<ValueId> results);
 
@@ -236,13 +247,22 @@ void InstanceRebuilder::CopyCall(ValueId old, std::span<ValueId> results) {
   CallInstance(old, FunctionId(inst.aux), from_.Operands(inst), {}, results);
 }
 
-void InstanceRebuilder::CallInstance(ValueId old, FunctionId callee, std::span<const ValueId> old_arguments,
-                                     std::span<const ValueId> captured, std::span<ValueId> results) {
+void InstanceRebuilder::CallInstance(ValueId old, FunctionId callee,
+                                     std::span<const ValueId> old_arguments,
+                                     std::span<const ValueId> captured,
+                                     std::span<ValueId> results) {
   bindings_.clear();
   arguments_.clear();
+  auto is_constant = [&](ValueId argument) {
+    return !fields_.contains(argument) && to_.IsConst(Get(argument));
+  };
+  // A call with nothing but constants is most often a constant itself.
+  const bool all_constant = captured.empty() && specializer_.MayBind(callee) &&
+                            std::ranges::all_of(old_arguments, is_constant);
   auto pass = [&](ValueId argument) {
     size_t parameter = bindings_.size();
-    if (to_.IsConst(argument) && specializer_.Binds(callee, parameter, ConstId(to_[argument].aux))) {
+    if (all_constant || (to_.IsConst(argument) &&
+                         specializer_.Binds(callee, parameter, ConstId(to_[argument].aux)))) {
       bindings_.push_back({Binding::Kind::kConst, to_[argument].aux, 0});
     } else {
       bindings_.push_back({});
@@ -256,8 +276,8 @@ void InstanceRebuilder::CallInstance(ValueId old, FunctionId callee, std::span<c
       continue;
     }
     const FieldBinding& bound = field->second;
-    bindings_.push_back(
-        {Binding::Kind::kField, bound.function.index, static_cast<uint32_t>(bound.captured.size())});
+    bindings_.push_back({Binding::Kind::kField, bound.function.index,
+                         static_cast<uint32_t>(bound.captured.size())});
     arguments_.insert(arguments_.end(), bound.captured.begin(), bound.captured.end());
   }
   for (ValueId argument : captured) pass(argument);
@@ -276,7 +296,8 @@ void InstanceRebuilder::CallInstance(ValueId old, FunctionId callee, std::span<c
   TakeResults(old, to_.Call(made.id, arguments_), results);
 }
 
-// --- Specializer -------------------------------------------------------------------------------------------------
+// --- Specializer
+// -------------------------------------------------------------------------------------------------
 
 Specializer::Specializer(ir::Module& module, bool fold, SourceRange where, Diagnostics& diagnostics)
     : module_(module), fold_(fold), where_(where), diagnostics_(diagnostics) {
@@ -297,7 +318,7 @@ void Specializer::CountCalls() {
 }
 
 bool Specializer::Binds(FunctionId callee, size_t parameter, ConstId value) const {
-  if (!fold_ || variants_[callee.index] >= kMaxVariants) return false;
+  if (!MayBind(callee)) return false;
   if (sites_[callee.index] == 1 || deciding_[callee.index][parameter]) return true;
   ir::TypeId type = module_.constant(value).type;
   if (ir::IsBool(type)) return true;
@@ -320,10 +341,12 @@ void Specializer::Refuse(const std::string& message) {
     if (shown) chain += (i ? " -> " : "") + chain_[i];
     if (i == 4 && !shown) chain += " -> ...";
   }
-  diagnostics_.Error(DiagnosticKind::kInstanceLimit, where_, message).AddNote(where_, "through " + chain);
+  diagnostics_.Error(DiagnosticKind::kInstanceLimit, where_, message)
+      .AddNote(where_, "through " + chain);
 }
 
-Specializer::Callee Specializer::Instance(FunctionId id, std::span<const Binding> bindings, std::string_view suffix) {
+Specializer::Callee Specializer::Instance(FunctionId id, std::span<const Binding> bindings,
+                                          std::string_view suffix) {
   if (failed_) return {};
   key_.assign(1, id.index);
   for (const Binding& binding : bindings) {
@@ -368,8 +391,8 @@ Specializer::Callee Specializer::Instance(FunctionId id, std::span<const Binding
   return {result, made_.back().is_small};
 }
 
-// A function that is alone keeps its block's name, and so does each of several overloads; several instances of one are told
-// apart by the node that asked first.
+// A function that is alone keeps its block's name, and so does each of several overloads; several
+// instances of one are told apart by the node that asked first.
 void Specializer::NameInstances() {
   std::map<std::string, int> alike;
   auto overload = [&](size_t i) {
@@ -392,14 +415,17 @@ void Specializer::NameInstances() {
 }
 
 uint64_t SaturatingAdd(uint64_t a, uint64_t b) {
-  return a > std::numeric_limits<uint64_t>::max() - b ? std::numeric_limits<uint64_t>::max() : a + b;
+  return a > std::numeric_limits<uint64_t>::max() - b ? std::numeric_limits<uint64_t>::max()
+                                                      : a + b;
 }
 
 uint64_t SaturatingMultiply(uint64_t a, uint64_t b) {
-  return b && a > std::numeric_limits<uint64_t>::max() / b ? std::numeric_limits<uint64_t>::max() : a * b;
+  return b && a > std::numeric_limits<uint64_t>::max() / b ? std::numeric_limits<uint64_t>::max()
+                                                           : a * b;
 }
 
-uint64_t RegionCost(const ir::Function& function, ir::RegionId region, const std::vector<uint64_t>& callees) {
+uint64_t RegionCost(const ir::Function& function, ir::RegionId region,
+                    const std::vector<uint64_t>& callees) {
   uint64_t cost = 0;
   for (ValueId v : function.regions[region.index].body) {
     const ir::Inst& inst = function[v];
@@ -411,8 +437,8 @@ uint64_t RegionCost(const ir::Function& function, ir::RegionId region, const std
       one = SaturatingAdd(one, RegionCost(function, branch.else_region, callees));
     } else if (inst.op == Op::kFor) {
       const ir::ForLoop& loop = function.loops[inst.aux];
-      one = SaturatingAdd(
-          one, SaturatingMultiply(std::max(loop.Trips(), 1u), RegionCost(function, loop.body, callees)));
+      one = SaturatingAdd(one, SaturatingMultiply(std::max(loop.Trips(), 1u),
+                                                  RegionCost(function, loop.body, callees)));
     }
     cost = SaturatingAdd(cost, one);
   }

@@ -154,6 +154,23 @@ bool RegisterGolden() {
 
 const bool registered = RegisterGolden();
 
+// Uniforms are the user's and may be shared; everything else begins with the graph's name.
+TEST(Functions, OfAllGraphsStandInOneShader) {
+  std::string all;
+  std::set<std::string> uniforms;
+  for (const fs::path& graph : Graphs()) {
+    const std::string stem = graph.stem().string() + ".glsl330.glsl";
+    std::istringstream lines(ReadText(kGolden / graph.parent_path().filename() / stem));
+    for (std::string line; std::getline(lines, line);) {
+      if (line.starts_with("uniform ") && !uniforms.insert(line.substr(0, line.find(';'))).second)
+        continue;
+      all += line + "\n";
+    }
+  }
+  ASSERT_NE(all, "");
+  ExpectValidGlsl(ScratchFolder(), Pasted(all, "glsl330"));
+}
+
 TEST(GoldenFiles, BelongToGraphs) {
   std::set<std::string> graphs;
   for (const fs::path& graph : Graphs()) graphs.insert(graph.parent_path().filename());

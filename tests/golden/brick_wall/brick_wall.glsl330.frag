@@ -46,7 +46,7 @@ void brick_grid(vec2 uv, vec2 uv_dx, vec2 uv_dy, out Tile tile, out vec2 tile_lo
   vec2 p = uv * vec2(5.0, 10.0);
   int row = int(floor(p.y));
   row = wrap_cell(row, 10);
-  uint row_bits = hash(uint(row) + hash(0u));
+  uint row_bits = hash(uint(row) + 129708002u);
   float product = 0.08 * (float(hash(row_bits - 1u) >> 8u) * 5.9604645e-8);
   p = vec2(p.x + (0.5 * float(row & 1) + product), p.y);
   vec2 corner = floor(p);
@@ -182,44 +182,44 @@ vec4 blend_mossy_wall(vec4 foreground, vec4 background, float opacity) {
 
 void main() {
   vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
-  // grid: brick_grid
+  // grid: brick_grid (tiles/brick_grid.glsl)
   Tile grid;
   vec2 grid_local_dx, grid_local_dy;
   brick_grid(uv, uv_dx, uv_dy, grid, grid_local_dx, grid_local_dy);
-  // bed: tiled_image
+  // bed: tiled_image (images/tiled_image.glsl)
   vec4 bed = texture(mortar, uv * 3.0);
-  // mortar_layer: rgba
+  // mortar_layer: rgba (channels/rgba.glsl)
   vec4 mortar_layer = vec4(bed.xyz, 1.0);
-  // firing: tile_random
+  // firing: tile_random (tiles/tile_random.glsl)
   float firing = float(hash(grid.seed) >> 8u) * 5.9604645e-8;
-  // clay: color_ramp
+  // clay: color_ramp (color/color_ramp.glsl)
   vec4 clay = color_ramp(firing);
-  // brightness: tile_random
+  // brightness: tile_random (tiles/tile_random.glsl)
   float brightness = mix(0.7, 1.15, float(hash(grid.seed + 1u) >> 8u) * 5.9604645e-8);
-  // shade: multiply
+  // shade: multiply (math/multiply.glsl)
   vec3 shade = clay.xyz * brightness;
-  // brick_tint: multiply
+  // brick_tint: multiply (math/multiply.glsl)
   vec3 brick_tint = shade * tint;
-  // brick_layer: layer
+  // brick_layer: layer (layers/layer.glsl)
   vec4 brick_layer_color;
   Tile brick_layer_inner;
   vec2 brick_layer_inner_local_dx, brick_layer_inner_local_dy;
   layer_brick_layer(grid, brick_tint, grid_local_dx, grid_local_dy, brick_layer_color,
       brick_layer_inner, brick_layer_inner_local_dx, brick_layer_inner_local_dy);
-  // soot_layer: layer
+  // soot_layer: layer (layers/layer.glsl)
   vec4 soot_layer_color = layer_soot_layer(brick_layer_inner, brick_layer_inner_local_dx,
       brick_layer_inner_local_dy);
-  // moss_layer: layer
+  // moss_layer: layer (layers/layer.glsl)
   vec4 moss_layer_color = layer_moss_layer(brick_layer_inner, brick_layer_inner_local_dx,
       brick_layer_inner_local_dy);
-  // sooty_brick: blend
+  // sooty_brick: blend (layers/blend.glsl)
   vec4 sooty_brick = blend_sooty_brick(soot_layer_color, brick_layer_color, soot_amount,
       brick_layer_color.w);
-  // wall: over
+  // wall: over (layers/over.glsl)
   vec4 wall = over(sooty_brick, mortar_layer);
-  // mossy_wall: blend
+  // mossy_wall: blend (layers/blend.glsl)
   vec4 mossy_wall = blend_mossy_wall(moss_layer_color, wall, moss_amount);
-  // roughness: lerp
+  // roughness: lerp (math/lerp.glsl)
   float roughness = mix(0.95, 0.8, brick_layer_color.w);
   out_color = mossy_wall;
   out_roughness = roughness;

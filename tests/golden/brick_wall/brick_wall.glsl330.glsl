@@ -14,7 +14,7 @@ uniform sampler2D soot;
 uniform sampler2D moss;
 
 // Types
-struct Tile {
+struct brick_wall_Tile {
   ivec2 cell;
   vec2 local;
   vec2 size;
@@ -22,37 +22,38 @@ struct Tile {
 };
 
 // wrap_cell (tiles/wrap_cell.glsl)
-int wrap_cell(int cell, int count) {
+int brick_wall_wrap_cell(int cell, int count) {
   int flip = cell >> 31;
   return (((cell ^ flip) % count) ^ flip) + (flip & count);
 }
 
 // hash (random/hash.glsl)
-uint hash(uint value) {
+uint brick_wall_hash(uint value) {
   uint state = value * 747796405u + 2891336453u;
   uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
   return (word >> 22u) ^ word;
 }
 
 // brick_grid (tiles/brick_grid.glsl)
-void brick_grid(vec2 uv, vec2 uv_dx, vec2 uv_dy, out Tile tile, out vec2 tile_local_dx,
-    out vec2 tile_local_dy) {
+void brick_wall_brick_grid(vec2 uv, vec2 uv_dx, vec2 uv_dy, out brick_wall_Tile tile,
+    out vec2 tile_local_dx, out vec2 tile_local_dy) {
   vec2 p = uv * vec2(5.0, 10.0);
   int row = int(floor(p.y));
-  row = wrap_cell(row, 10);
-  uint row_bits = hash(uint(row) + hash(0u));
-  float product = 0.08 * (float(hash(row_bits - 1u) >> 8u) * 5.9604645e-8);
+  row = brick_wall_wrap_cell(row, 10);
+  uint row_bits = brick_wall_hash(uint(row) + 129708002u);
+  float product = 0.08 * (float(brick_wall_hash(row_bits - 1u) >> 8u) * 5.9604645e-8);
   p = vec2(p.x + (0.5 * float(row & 1) + product), p.y);
   vec2 corner = floor(p);
   int column = int(corner.x);
-  column = wrap_cell(column, 5);
-  tile = Tile(ivec2(column, row), p - corner, vec2(0.2, 0.1), hash(uint(column) + row_bits));
+  column = brick_wall_wrap_cell(column, 5);
+  tile = brick_wall_Tile(ivec2(column, row), p - corner, vec2(0.2, 0.1),
+      brick_wall_hash(uint(column) + row_bits));
   tile_local_dx = uv_dx * vec2(5.0, 10.0);
   tile_local_dy = uv_dy * vec2(5.0, 10.0);
 }
 
 // color_ramp (color/color_ramp.glsl)
-vec4 color_ramp(float position) {
+vec4 brick_wall_color_ramp(float position) {
   vec4 vector = vec4(clamp(position / 0.2, 0.0, 1.0));
   vec4 color = mix(vec4(0.38, 0.36, 0.4, 1.0), vec4(0.85, 0.75, 0.7, 1.0), vector);
   color = mix(color, vec4(1.25, 1.0, 0.8, 1.0), clamp((position - 0.2) / 0.40000004, 0.0, 1.0));
@@ -60,7 +61,7 @@ vec4 color_ramp(float position) {
 }
 
 // coverage, of layer (layers/layer.glsl)
-float coverage(vec2 q, vec2 cell_in_q, vec2 local, vec2 q_dx, vec2 q_dy, vec2 local_dx,
+float brick_wall_coverage(vec2 q, vec2 cell_in_q, vec2 local, vec2 q_dx, vec2 q_dy, vec2 local_dx,
     vec2 local_dy) {
   vec2 density = 1.0 / clamp(sqrt(q_dx * q_dx + q_dy * q_dy), vec2(1e-5), cell_in_q);
   vec2 share = min((0.5 - abs(q - 0.5)) * density + 0.5, density);
@@ -71,15 +72,16 @@ float coverage(vec2 q, vec2 cell_in_q, vec2 local, vec2 q_dx, vec2 q_dy, vec2 lo
 }
 
 // layer (layers/layer.glsl)
-void layer_brick_layer(Tile tile, vec3 tint, vec2 tile_local_dx, vec2 tile_local_dy, out vec4 color,
-    out Tile inner, out vec2 inner_local_dx, out vec2 inner_local_dy) {
-  uint seed = hash(tile.seed);
-  uint hash_value = hash(seed - 2u);
+void brick_wall_layer_brick_layer(brick_wall_Tile tile, vec3 tint, vec2 tile_local_dx,
+    vec2 tile_local_dy, out vec4 color, out brick_wall_Tile inner, out vec2 inner_local_dx,
+    out vec2 inner_local_dy) {
+  uint seed = brick_wall_hash(tile.seed);
+  uint hash_value = brick_wall_hash(seed - 2u);
   vec2 turn = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
   float size = mix(0.97, 1.03, turn.x);
   float angle = mix(-1.2, 1.2, turn.y) * 0.017453292;
   vec2 across = vec2(tile.size.y, -tile.size.x) / tile.size;
-  uint hash_value2 = hash(seed - 1u);
+  uint hash_value2 = brick_wall_hash(seed - 1u);
   vec2 product = vec2(float(hash_value2 & 65535u), float(hash_value2 >> 16u)) * 1.5258789e-5;
   vec2 p = tile.local - mix(vec2(0.485, 0.48), vec2(0.515, 0.52), product);
   float shrink = 1.0 / size;
@@ -89,23 +91,23 @@ void layer_brick_layer(Tile tile, vec3 tint, vec2 tile_local_dx, vec2 tile_local
   vec2 q_dx = tile_local_dx * point + tile_local_dx.yx * product2;
   vec2 q_dy = tile_local_dy * point + tile_local_dy.yx * product2;
   vec4 color2 = textureGrad(brick, q, q_dx, q_dy);
-  float coverage_value = coverage(q, vec2(shrink), tile.local, q_dx, q_dy, tile_local_dx,
+  float coverage_value = brick_wall_coverage(q, vec2(shrink), tile.local, q_dx, q_dy, tile_local_dx,
       tile_local_dy);
   color = vec4(color2.xyz * tint, color2.w * coverage_value);
-  inner = Tile(tile.cell, q, size * tile.size, seed);
+  inner = brick_wall_Tile(tile.cell, q, size * tile.size, seed);
   inner_local_dx = q_dx;
   inner_local_dy = q_dy;
 }
 
 // layer (layers/layer.glsl)
-vec4 layer_soot_layer(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
-  uint seed = hash(tile.seed + 1u);
-  uint hash_value = hash(seed - 2u);
+vec4 brick_wall_layer_soot_layer(brick_wall_Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
+  uint seed = brick_wall_hash(tile.seed + 1u);
+  uint hash_value = brick_wall_hash(seed - 2u);
   vec2 turn = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
   float size = mix(0.8, 1.5, turn.x);
   float angle = mix(-8.0, 8.0, turn.y) * 0.017453292;
   vec2 across = vec2(tile.size.y, -tile.size.x) / tile.size;
-  uint hash_value2 = hash(seed - 1u);
+  uint hash_value2 = brick_wall_hash(seed - 1u);
   vec2 product = vec2(float(hash_value2 & 65535u), float(hash_value2 >> 16u)) * 1.5258789e-5;
   vec2 p = tile.local - mix(vec2(0.1, 0.4), vec2(0.9, 0.7), product);
   float shrink = 1.0 / size;
@@ -115,26 +117,26 @@ vec4 layer_soot_layer(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
   vec2 q_dx = tile_local_dx * point + tile_local_dx.yx * product2;
   vec2 q_dy = tile_local_dy * point + tile_local_dy.yx * product2;
   vec4 color = textureGrad(soot, q, q_dx, q_dy);
-  uint hash_value3 = hash(seed - 3u);
+  uint hash_value3 = brick_wall_hash(seed - 3u);
   vec2 luck = vec2(float(hash_value3 & 65535u), float(hash_value3 >> 16u)) * 1.5258789e-5;
   color = luck.y >= 0.7 ? vec4(color.xyz, 0.0) : color;
-  float coverage_value = coverage(q, vec2(shrink), tile.local, q_dx, q_dy, tile_local_dx,
+  float coverage_value = brick_wall_coverage(q, vec2(shrink), tile.local, q_dx, q_dy, tile_local_dx,
       tile_local_dy);
   color = vec4(color.xyz, color.w * (luck.x * coverage_value));
   return color;
 }
 
 // layer (layers/layer.glsl)
-vec4 layer_moss_layer(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
-  uint seed = hash(tile.seed + 2u);
-  uint hash_value = hash(seed - 2u);
+vec4 brick_wall_layer_moss_layer(brick_wall_Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
+  uint seed = brick_wall_hash(tile.seed + 2u);
+  uint hash_value = brick_wall_hash(seed - 2u);
   vec2 turn = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
   float size = mix(0.4, 1.0, turn.x);
   float angle = mix(-180.0, 180.0, turn.y) * 0.017453292;
   float side = min(tile.size.x, tile.size.y);
   vec2 along = tile.size / side;
   vec2 across = vec2(tile.size.y, -tile.size.x) / side;
-  uint hash_value2 = hash(seed - 1u);
+  uint hash_value2 = brick_wall_hash(seed - 1u);
   vec2 product = vec2(float(hash_value2 & 65535u), float(hash_value2 >> 16u)) * 1.5258789e-5;
   vec2 p = tile.local - mix(vec2(0.1, 0.3), vec2(0.9, 0.55), product);
   float shrink = 1.0 / size;
@@ -144,31 +146,31 @@ vec4 layer_moss_layer(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
   vec2 q_dx = tile_local_dx * product2 + tile_local_dx.yx * product3;
   vec2 q_dy = tile_local_dy * product2 + tile_local_dy.yx * product3;
   vec4 color = textureGrad(moss, q, q_dx, q_dy);
-  uint hash_value3 = hash(seed - 3u);
+  uint hash_value3 = brick_wall_hash(seed - 3u);
   vec2 luck = vec2(float(hash_value3 & 65535u), float(hash_value3 >> 16u)) * 1.5258789e-5;
   color = luck.y >= 0.35 ? vec4(color.xyz, 0.0) : color;
-  float coverage_value = coverage(q, along * shrink, tile.local, q_dx, q_dy, tile_local_dx,
-      tile_local_dy);
+  float coverage_value = brick_wall_coverage(q, along * shrink, tile.local, q_dx, q_dy,
+      tile_local_dx, tile_local_dy);
   color = vec4(color.xyz, color.w * (mix(0.6, 1.0, luck.x) * coverage_value));
   return color;
 }
 
 // blend (layers/blend.glsl)
-vec4 blend_sooty_brick(vec4 foreground, vec4 background, float opacity, float mask) {
+vec4 brick_wall_blend_sooty_brick(vec4 foreground, vec4 background, float opacity, float mask) {
   float front = foreground.w * opacity * mask;
   float alpha = 1.0 - (1.0 - front) * (1.0 - background.w);
   return vec4(mix(background.xyz, foreground.xyz, front / max(alpha, 1e-20)), alpha);
 }
 
 // over (layers/over.glsl)
-vec4 over(vec4 foreground, vec4 background) {
+vec4 brick_wall_over(vec4 foreground, vec4 background) {
   float alpha = 1.0 - (1.0 - foreground.w) * (1.0 - background.w);
   vec3 blend = mix(background.xyz, foreground.xyz, foreground.w / max(alpha, 1e-20));
   return vec4(blend, alpha);
 }
 
 // blend (layers/blend.glsl)
-vec4 blend_mossy_wall(vec4 foreground, vec4 background, float opacity) {
+vec4 brick_wall_blend_mossy_wall(vec4 foreground, vec4 background, float opacity) {
   float front = foreground.w * opacity;
   float alpha = 1.0 - (1.0 - front) * (1.0 - background.w);
   return vec4(mix(background.xyz, foreground.xyz, front / max(alpha, 1e-20)), alpha);
@@ -176,44 +178,44 @@ vec4 blend_mossy_wall(vec4 foreground, vec4 background, float opacity) {
 
 void brick_wall(vec2 uv, out vec4 color, out float roughness) {
   vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
-  // grid: brick_grid
-  Tile grid;
+  // grid: brick_grid (tiles/brick_grid.glsl)
+  brick_wall_Tile grid;
   vec2 grid_local_dx, grid_local_dy;
-  brick_grid(uv, uv_dx, uv_dy, grid, grid_local_dx, grid_local_dy);
-  // bed: tiled_image
+  brick_wall_brick_grid(uv, uv_dx, uv_dy, grid, grid_local_dx, grid_local_dy);
+  // bed: tiled_image (images/tiled_image.glsl)
   vec4 bed = texture(mortar, uv * 3.0);
-  // mortar_layer: rgba
+  // mortar_layer: rgba (channels/rgba.glsl)
   vec4 mortar_layer = vec4(bed.xyz, 1.0);
-  // firing: tile_random
-  float firing = float(hash(grid.seed) >> 8u) * 5.9604645e-8;
-  // clay: color_ramp
-  vec4 clay = color_ramp(firing);
-  // brightness: tile_random
-  float brightness = mix(0.7, 1.15, float(hash(grid.seed + 1u) >> 8u) * 5.9604645e-8);
-  // shade: multiply
+  // firing: tile_random (tiles/tile_random.glsl)
+  float firing = float(brick_wall_hash(grid.seed) >> 8u) * 5.9604645e-8;
+  // clay: color_ramp (color/color_ramp.glsl)
+  vec4 clay = brick_wall_color_ramp(firing);
+  // brightness: tile_random (tiles/tile_random.glsl)
+  float brightness = mix(0.7, 1.15, float(brick_wall_hash(grid.seed + 1u) >> 8u) * 5.9604645e-8);
+  // shade: multiply (math/multiply.glsl)
   vec3 shade = clay.xyz * brightness;
-  // brick_tint: multiply
+  // brick_tint: multiply (math/multiply.glsl)
   vec3 brick_tint = shade * tint;
-  // brick_layer: layer
+  // brick_layer: layer (layers/layer.glsl)
   vec4 brick_layer_color;
-  Tile brick_layer_inner;
+  brick_wall_Tile brick_layer_inner;
   vec2 brick_layer_inner_local_dx, brick_layer_inner_local_dy;
-  layer_brick_layer(grid, brick_tint, grid_local_dx, grid_local_dy, brick_layer_color,
+  brick_wall_layer_brick_layer(grid, brick_tint, grid_local_dx, grid_local_dy, brick_layer_color,
       brick_layer_inner, brick_layer_inner_local_dx, brick_layer_inner_local_dy);
-  // soot_layer: layer
-  vec4 soot_layer_color = layer_soot_layer(brick_layer_inner, brick_layer_inner_local_dx,
+  // soot_layer: layer (layers/layer.glsl)
+  vec4 soot_layer_color = brick_wall_layer_soot_layer(brick_layer_inner, brick_layer_inner_local_dx,
       brick_layer_inner_local_dy);
-  // moss_layer: layer
-  vec4 moss_layer_color = layer_moss_layer(brick_layer_inner, brick_layer_inner_local_dx,
+  // moss_layer: layer (layers/layer.glsl)
+  vec4 moss_layer_color = brick_wall_layer_moss_layer(brick_layer_inner, brick_layer_inner_local_dx,
       brick_layer_inner_local_dy);
-  // sooty_brick: blend
-  vec4 sooty_brick = blend_sooty_brick(soot_layer_color, brick_layer_color, soot_amount,
+  // sooty_brick: blend (layers/blend.glsl)
+  vec4 sooty_brick = brick_wall_blend_sooty_brick(soot_layer_color, brick_layer_color, soot_amount,
       brick_layer_color.w);
-  // wall: over
-  vec4 wall = over(sooty_brick, mortar_layer);
-  // mossy_wall: blend
-  vec4 mossy_wall = blend_mossy_wall(moss_layer_color, wall, moss_amount);
-  // roughness: lerp
+  // wall: over (layers/over.glsl)
+  vec4 wall = brick_wall_over(sooty_brick, mortar_layer);
+  // mossy_wall: blend (layers/blend.glsl)
+  vec4 mossy_wall = brick_wall_blend_mossy_wall(moss_layer_color, wall, moss_amount);
+  // roughness: lerp (math/lerp.glsl)
   float roughness2 = mix(0.95, 0.8, brick_layer_color.w);
   color = mossy_wall;
   roughness = roughness2;

@@ -43,7 +43,7 @@ void brick_grid(vec2 uv, vec2 uv_dx, vec2 uv_dy, out Tile tile, out vec2 tile_lo
     out vec2 tile_local_dy) {
   vec2 p = uv * 8.0;
   int row = int(floor(p.y));
-  uint row_bits = hash(uint(row) + hash(0u));
+  uint row_bits = hash(uint(row) + 129708002u);
   vec2 corner = floor(p);
   int column = int(corner.x);
   tile = Tile(ivec2(column, row), p - corner, vec2(0.125), hash(uint(column) + row_bits));
@@ -103,37 +103,37 @@ float mortar(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
 
 void main() {
   vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
-  // slab: checker
+  // slab: checker (patterns/checker.glsl)
   vec4 slab = checker(uv, light, dark, uv_dx, uv_dy);
-  // grid: brick_grid
+  // grid: brick_grid (tiles/brick_grid.glsl)
   Tile grid;
   vec2 grid_local_dx, grid_local_dy;
   brick_grid(uv, uv_dx, uv_dy, grid, grid_local_dx, grid_local_dy);
-  // tone: tile_random
+  // tone: tile_random (tiles/tile_random.glsl)
   float tone = mix(0.75, 1.1, float(hash(grid.seed) >> 8u) * 5.9604645e-8);
-  // tilted: uv_transform
+  // tilted: uv_transform (images/uv_transform.glsl)
   vec2 tilted_dx = mat2(0.83867055, -0.54463905, 0.54463905, 0.83867055) * uv_dx;
   vec2 tilted_dy = mat2(0.83867055, -0.54463905, 0.54463905, 0.83867055) * uv_dy;
   vec2 tilted = mat2(0.83867055, -0.54463905, 0.54463905, 0.83867055) * (uv - 0.5) + 0.5;
-  // coarse: value_noise
+  // coarse: value_noise (patterns/value_noise.glsl)
   float coarse = value_noise(tilted, vec2(34.0), 3, tilted_dx, tilted_dy);
-  // fine: value_noise
+  // fine: value_noise (patterns/value_noise.glsl)
   float fine = value_noise(tilted, vec2(110.0), 4, tilted_dx, tilted_dy);
-  // clouds: lerp
+  // clouds: lerp (math/lerp.glsl)
   float clouds = mix(coarse, fine, 0.4);
-  // grain: remap
+  // grain: remap (math/remap.glsl)
   float grain = mix(0.85, 1.1, clouds);
-  // shade: multiply
+  // shade: multiply (math/multiply.glsl)
   float shade = tone * grain;
-  // shaded: multiply
+  // shaded: multiply (math/multiply.glsl)
   vec3 shaded = slab.xyz * shade;
-  // gap: mortar
+  // gap: mortar (tiles/mortar.glsl)
   float gap = mortar(grid, grid_local_dx, grid_local_dy);
-  // jointed: lerp
+  // jointed: lerp (math/lerp.glsl)
   vec3 jointed = mix(shaded, vec3(0.16, 0.15, 0.14), gap);
-  // floor_color: rgba
+  // floor_color: rgba (channels/rgba.glsl)
   vec4 floor_color = vec4(jointed, 1.0);
-  // polish: lerp
+  // polish: lerp (math/lerp.glsl)
   float polish = mix(0.25, 0.9, gap);
   out_color = floor_color;
   out_roughness = polish;

@@ -145,37 +145,37 @@ vec4 over(vec4 foreground, vec4 background) {
 
 void main() {
   vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
-  // grid_1: brick_grid
+  // grid_1: brick_grid (tiles/brick_grid.glsl)
   Tile grid_1;
   vec2 grid_1_local_dx, grid_1_local_dy;
   brick_grid_grid_1(uv, uv_dx, uv_dy, grid_1, grid_1_local_dx, grid_1_local_dy);
-  // grid_2: brick_grid
+  // grid_2: brick_grid (tiles/brick_grid.glsl)
   Tile grid_2;
   vec2 grid_2_local_dx, grid_2_local_dy;
   brick_grid_grid_2(uv, 14, 14, 2, uv_dx, uv_dy, grid_2, grid_2_local_dx, grid_2_local_dy);
-  // grid_3: brick_grid
+  // grid_3: brick_grid (tiles/brick_grid.glsl)
   Tile grid_3;
   vec2 grid_3_local_dx, grid_3_local_dy;
   brick_grid_grid_2(uv, 20, 20, 3, uv_dx, uv_dy, grid_3, grid_3_local_dx, grid_3_local_dy);
-  // color_1: tile_random_color
+  // color_1: tile_random_color (tiles/tile_random_color.glsl)
   vec3 color_1 = mix(vec3(0.5, 0.05, 0.02), vec3(1.0, 0.55, 0.2), random3(grid_1.seed));
-  // color_2: tile_random_color
+  // color_2: tile_random_color (tiles/tile_random_color.glsl)
   vec3 color_2 = mix(vec3(0.02, 0.2, 0.35), vec3(0.2, 0.6, 0.9), random3(grid_2.seed));
-  // color_3: tile_random_color
+  // color_3: tile_random_color (tiles/tile_random_color.glsl)
   vec3 color_3 = mix(vec3(0.25, 0.4, 0.02), vec3(0.75, 0.8, 0.15), random3(grid_3.seed));
-  // sheet_1: layer
+  // sheet_1: layer (layers/layer.glsl)
   vec4 sheet_1_color = layer_sheet_1(grid_1, color_1, grid_1_local_dx, grid_1_local_dy);
-  // sheet_2: layer
+  // sheet_2: layer (layers/layer.glsl)
   vec4 sheet_2_color = layer_sheet_2(grid_2, vec2(0.35), vec2(0.65), vec2(0.4, 0.65), color_2,
       grid_2_local_dx, grid_2_local_dy);
-  // sheet_3: layer
+  // sheet_3: layer (layers/layer.glsl)
   vec4 sheet_3_color = layer_sheet_2(grid_3, vec2(0.3), vec2(0.7), vec2(0.3, 0.6), color_3,
       grid_3_local_dx, grid_3_local_dy);
-  // lower: over
+  // lower: over (layers/over.glsl)
   vec4 lower = over(sheet_3_color, ground);
-  // middle: over
+  // middle: over (layers/over.glsl)
   vec4 middle = over(sheet_2_color, lower);
-  // upper: over
+  // upper: over (layers/over.glsl)
   vec4 upper = over(sheet_1_color, middle);
   out_color = upper;
 }

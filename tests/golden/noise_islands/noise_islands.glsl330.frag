@@ -96,43 +96,43 @@ float threshold(float value, float edge, float value_dx, float value_dy) {
 
 void main() {
   vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
-  // lands: value_noise
+  // lands: value_noise (patterns/value_noise.glsl)
   float lands_dx, lands_dy;
   float lands = value_noise(uv, vec2(4.0), uv_dx, uv_dy, lands_dx, lands_dy);
-  // hills: value_noise
+  // hills: value_noise (patterns/value_noise.glsl)
   float hills_dx, hills_dy;
   float hills = value_noise(uv, vec2(9.0), uv_dx, uv_dy, hills_dx, hills_dy);
-  // rocks: value_noise
+  // rocks: value_noise (patterns/value_noise.glsl)
   float rocks_dx, rocks_dy;
   float rocks = value_noise(uv, vec2(21.0), uv_dx, uv_dy, rocks_dx, rocks_dy);
-  // stones: value_noise
+  // stones: value_noise (patterns/value_noise.glsl)
   float stones_dx, stones_dy;
   float stones = value_noise(uv, vec2(50.0), uv_dx, uv_dy, stones_dx, stones_dy);
-  // coarse: lerp
+  // coarse: lerp (math/lerp.glsl)
   float coarse = mix(lands, hills, 0.35);
   float coarse_dx = mix(lands_dx, hills_dx, 0.35);
   float coarse_dy = mix(lands_dy, hills_dy, 0.35);
-  // fine: lerp
+  // fine: lerp (math/lerp.glsl)
   float fine = mix(rocks, stones, 0.35);
   float fine_dx = mix(rocks_dx, stones_dx, 0.35);
   float fine_dy = mix(rocks_dy, stones_dy, 0.35);
-  // height: lerp
+  // height: lerp (math/lerp.glsl)
   float height = mix(coarse, fine, 0.25);
   float height_dx = mix(coarse_dx, fine_dx, 0.25);
   float height_dy = mix(coarse_dy, fine_dy, 0.25);
-  // depth: remap
+  // depth: remap (math/remap.glsl)
   float depth = remap_depth(height, sea_level);
-  // water: color_ramp
+  // water: color_ramp (color/color_ramp.glsl)
   vec4 water = mix(vec4(0.01, 0.03, 0.09, 1.0), vec4(0.03, 0.28, 0.36, 1.0), progress(depth));
-  // altitude: remap
+  // altitude: remap (math/remap.glsl)
   float altitude = remap_altitude(height, sea_level);
-  // land: color_ramp
+  // land: color_ramp (color/color_ramp.glsl)
   vec4 land = color_ramp(altitude);
-  // shore: threshold
+  // shore: threshold (math/threshold.glsl)
   float shore = threshold(height, sea_level, height_dx, height_dy);
-  // map: lerp
+  // map: lerp (math/lerp.glsl)
   vec4 map = mix(water, land, shore);
-  // gloss: lerp
+  // gloss: lerp (math/lerp.glsl)
   float gloss = mix(0.1, 0.9, shore);
   out_color = map;
   out_height = height;

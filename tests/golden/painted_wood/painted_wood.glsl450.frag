@@ -35,7 +35,7 @@ void brick_grid(vec2 uv, vec2 uv_dx, vec2 uv_dy, out Tile tile, out vec2 tile_lo
     out vec2 tile_local_dy) {
   vec2 p = uv * vec2(7.0, 2.0);
   int row = int(floor(p.y));
-  uint row_bits = hash(uint(row) + hash(5u));
+  uint row_bits = hash(uint(row) + 2161170183u);
   p = vec2(p.x + 0.37 * float(row & 1), p.y);
   vec2 corner = floor(p);
   int column = int(corner.x);
@@ -116,61 +116,61 @@ float mortar(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
 
 void main() {
   vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
-  // board: brick_grid
+  // board: brick_grid (tiles/brick_grid.glsl)
   Tile board;
   vec2 board_local_dx, board_local_dy;
   brick_grid(uv, uv_dx, uv_dy, board, board_local_dx, board_local_dy);
-  // shift_x: tile_random
+  // shift_x: tile_random (tiles/tile_random.glsl)
   float shift_x = float(hash(board.seed + 1u) >> 8u) * 5.9604645e-8;
-  // shift_y: tile_random
+  // shift_y: tile_random (tiles/tile_random.glsl)
   float shift_y = float(hash(board.seed + 2u) >> 8u) * 5.9604645e-8;
-  // shift: combine2
+  // shift: combine2 (channels/combine2.glsl)
   vec2 shift = vec2(shift_x, shift_y);
-  // turned: uv_transform
+  // turned: uv_transform (images/uv_transform.glsl)
   vec2 turned_dx, turned_dy;
   vec2 turned = uv_transform_turned(uv, uv_dx, uv_dy, turned_dx, turned_dy);
-  // board_uv: add
+  // board_uv: add (math/add.glsl)
   vec2 board_uv = turned + shift;
-  // wood_color: tiled_image
+  // wood_color: tiled_image (images/tiled_image.glsl)
   vec4 wood_color = textureGrad(wood, board_uv, turned_dx, turned_dy);
-  // tone: tile_random
+  // tone: tile_random (tiles/tile_random.glsl)
   float tone = mix(0.65, 1.0, float(hash(board.seed) >> 8u) * 5.9604645e-8);
-  // board_rgb: multiply
+  // board_rgb: multiply (math/multiply.glsl)
   vec3 board_rgb = wood_color.xyz * tone;
-  // bare: rgba
+  // bare: rgba (channels/rgba.glsl)
   vec4 bare = vec4(board_rgb, 1.0);
-  // fibre: luminance
+  // fibre: luminance (channels/luminance.glsl)
   float fibre = dot(wood_color.xyz, vec3(0.2126, 0.7152, 0.0722));
-  // paint_tone: remap
+  // paint_tone: remap (math/remap.glsl)
   float paint_tone = mix(0.75, 1.1, fibre / 0.4);
-  // paint_color: multiply
+  // paint_color: multiply (math/multiply.glsl)
   vec4 paint_color = paint * paint_tone;
-  // tilted: uv_transform
+  // tilted: uv_transform (images/uv_transform.glsl)
   vec2 tilted_dx, tilted_dy;
   vec2 tilted = uv_transform_tilted(uv, uv_dx, uv_dy, tilted_dx, tilted_dy);
-  // patches: value_noise
+  // patches: value_noise (patterns/value_noise.glsl)
   float patches = value_noise(tilted, vec2(9.0, 7.0), 1, tilted_dx, tilted_dy);
-  // flakes: value_noise
+  // flakes: value_noise (patterns/value_noise.glsl)
   float flakes = value_noise(tilted, vec2(42.0, 33.0), 2, tilted_dx, tilted_dy);
-  // chips: value_noise
+  // chips: value_noise (patterns/value_noise.glsl)
   float chips = value_noise(tilted, vec2(130.0, 90.0), 3, tilted_dx, tilted_dy);
-  // edges: lerp
+  // edges: lerp (math/lerp.glsl)
   float edges = mix(flakes, chips, 0.35);
-  // relief: lerp
+  // relief: lerp (math/lerp.glsl)
   float relief = mix(patches, edges, 0.45);
-  // raised: lerp
+  // raised: lerp (math/lerp.glsl)
   float raised = mix(relief, fibre, 0.25);
-  // wear_end: add
+  // wear_end: add (math/add.glsl)
   float wear_end = wear + 0.03;
-  // painted: smooth_step
+  // painted: smooth_step (math/smooth_step.glsl)
   float painted = smooth_step(raised, wear, wear_end);
-  // covered: lerp
+  // covered: lerp (math/lerp.glsl)
   vec4 covered = mix(bare, paint_color, painted);
-  // gap: mortar
+  // gap: mortar (tiles/mortar.glsl)
   float gap = mortar(board, board_local_dx, board_local_dy);
-  // wall: lerp
+  // wall: lerp (math/lerp.glsl)
   vec4 wall = mix(covered, vec4(0.012, 0.01, 0.008, 1.0), gap);
-  // gloss: lerp
+  // gloss: lerp (math/lerp.glsl)
   float gloss = mix(0.85, 0.4, painted);
   out_color = wall;
   out_roughness = gloss;

@@ -31,7 +31,7 @@ void brick_grid(vec2 uv, vec2 uv_dx, vec2 uv_dy, out Tile tile, out vec2 tile_lo
     out vec2 tile_local_dy) {
   vec2 p = uv * vec2(5.0, 10.0);
   int row = int(floor(p.y));
-  uint row_bits = hash(uint(row) + hash(3u));
+  uint row_bits = hash(uint(row) + 2131687100u);
   float product = 0.1 * (float(hash(row_bits - 1u) >> 8u) * 5.9604645e-8);
   p = vec2(p.x + (0.5 * float(row & 1) + product), p.y);
   vec2 corner = floor(p);
@@ -90,25 +90,25 @@ float rectangle(vec2 uv, vec2 size, vec2 uv_dx, vec2 uv_dy) {
 
 // brick_face (function of the graph)
 vec4 brick_face(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
-  // clouds: value_noise
+  // clouds: value_noise (patterns/value_noise.glsl)
   float clouds = value_noise(uv, vec2(5.0, 3.0), 1, uv_dx, uv_dy);
-  // grains: value_noise
+  // grains: value_noise (patterns/value_noise.glsl)
   float grains = value_noise(uv, vec2(48.0, 24.0), 2, uv_dx, uv_dy);
-  // rough: lerp
+  // rough: lerp (math/lerp.glsl)
   float rough = mix(clouds, grains, 0.45);
-  // tone: remap
+  // tone: remap (math/remap.glsl)
   float tone = mix(0.55, 1.35, rough);
-  // wave: value_noise
+  // wave: value_noise (patterns/value_noise.glsl)
   float wave = value_noise(uv, vec2(18.0, 9.0), 3, uv_dx, uv_dy);
-  // inset: remap
+  // inset: remap (math/remap.glsl)
   float inset = mix(0.86, 0.94, wave);
-  // slim: subtract
+  // slim: subtract (math/subtract.glsl)
   float slim = inset - 0.06;
-  // size: combine2
+  // size: combine2 (channels/combine2.glsl)
   vec2 size = vec2(inset, slim);
-  // shape: rectangle
+  // shape: rectangle (patterns/rectangle.glsl)
   float shape = rectangle(uv, size, uv_dx, uv_dy);
-  // face: rgba
+  // face: rgba (channels/rgba.glsl)
   vec4 face = vec4(tone, tone, tone, shape);
   return face;
 }
@@ -209,31 +209,31 @@ vec4 over(vec4 foreground, vec4 background) {
 
 void main() {
   vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
-  // grid: brick_grid
+  // grid: brick_grid (tiles/brick_grid.glsl)
   Tile grid;
   vec2 grid_local_dx, grid_local_dy;
   brick_grid(uv, uv_dx, uv_dy, grid, grid_local_dx, grid_local_dy);
-  // shade: tile_random_color
+  // shade: tile_random_color (tiles/tile_random_color.glsl)
   vec3 shade = mix(vec3(0.75, 0.8, 0.8), vec3(1.4, 1.05, 1.0), random3(grid.seed));
-  // tint: multiply
+  // tint: multiply (math/multiply.glsl)
   vec3 tint = shade * clay;
-  // brick: layer
+  // brick: layer (layers/layer.glsl)
   vec4 brick_color;
   Tile brick_inner;
   vec2 brick_inner_local_dx, brick_inner_local_dy;
   layer_brick(grid, tint, grid_local_dx, grid_local_dy, brick_color, brick_inner,
       brick_inner_local_dx, brick_inner_local_dy);
-  // lime: layer
+  // lime: layer (layers/layer.glsl)
   vec4 lime_color = layer_lime(brick_inner, brick_inner_local_dx, brick_inner_local_dy);
-  // face: blend
+  // face: blend (layers/blend.glsl)
   vec4 face = blend(lime_color, brick_color, brick_color.w);
-  // sand: value_noise
+  // sand: value_noise (patterns/value_noise.glsl)
   float sand = value_noise(uv, vec2(220.0), 8, uv_dx, uv_dy);
-  // mortar_tone: remap
+  // mortar_tone: remap (math/remap.glsl)
   float mortar_tone = mix(0.22, 0.4, sand);
-  // mortar_color: combine4
+  // mortar_color: combine4 (channels/combine4.glsl)
   vec4 mortar_color = vec4(mortar_tone, mortar_tone, mortar_tone, 1.0);
-  // wall: over
+  // wall: over (layers/over.glsl)
   vec4 wall = over(face, mortar_color);
   out_color = wall;
   out_height = brick_color.w;

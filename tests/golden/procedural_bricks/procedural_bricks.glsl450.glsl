@@ -6,7 +6,7 @@
 uniform vec3 clay;  // default vec3(0.36, 0.13, 0.075)
 
 // Types
-struct Tile {
+struct procedural_bricks_Tile {
   ivec2 cell;
   vec2 local;
   vec2 size;
@@ -14,58 +14,60 @@ struct Tile {
 };
 
 // hash (random/hash.glsl)
-uint hash(uint value) {
+uint procedural_bricks_hash(uint value) {
   uint state = value * 747796405u + 2891336453u;
   uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
   return (word >> 22u) ^ word;
 }
 
 // brick_grid (tiles/brick_grid.glsl)
-void brick_grid(vec2 uv, vec2 uv_dx, vec2 uv_dy, out Tile tile, out vec2 tile_local_dx,
-    out vec2 tile_local_dy) {
+void procedural_bricks_brick_grid(vec2 uv, vec2 uv_dx, vec2 uv_dy, out procedural_bricks_Tile tile,
+    out vec2 tile_local_dx, out vec2 tile_local_dy) {
   vec2 p = uv * vec2(5.0, 10.0);
   int row = int(floor(p.y));
-  uint row_bits = hash(uint(row) + hash(3u));
-  float product = 0.1 * (float(hash(row_bits - 1u) >> 8u) * 5.9604645e-8);
+  uint row_bits = procedural_bricks_hash(uint(row) + 2131687100u);
+  float product = 0.1 * (float(procedural_bricks_hash(row_bits - 1u) >> 8u) * 5.9604645e-8);
   p = vec2(p.x + (0.5 * float(row & 1) + product), p.y);
   vec2 corner = floor(p);
   int column = int(corner.x);
-  tile = Tile(ivec2(column, row), p - corner, vec2(0.2, 0.1), hash(uint(column) + row_bits));
+  tile = procedural_bricks_Tile(ivec2(column, row), p - corner, vec2(0.2, 0.1),
+      procedural_bricks_hash(uint(column) + row_bits));
   tile_local_dx = uv_dx * vec2(5.0, 10.0);
   tile_local_dy = uv_dy * vec2(5.0, 10.0);
 }
 
 // random3 (random/random3.glsl)
-vec3 random3(uint seed) {
-  uint bits = hash(seed);
+vec3 procedural_bricks_random3(uint seed) {
+  uint bits = procedural_bricks_hash(seed);
   vec2 product = vec2(float(bits & 65535u), float(bits >> 16u)) * 1.5258789e-5;
-  return vec3(product, float(hash(bits) >> 8u) * 5.9604645e-8);
+  return vec3(product, float(procedural_bricks_hash(bits) >> 8u) * 5.9604645e-8);
 }
 
 // hash (random/hash.glsl)
-uvec2 hash(uvec2 value) {
+uvec2 procedural_bricks_hash(uvec2 value) {
   uvec2 state = value * 747796405u + 2891336453u;
   uvec2 word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
   return (word >> 22u) ^ word;
 }
 
 // hash (random/hash.glsl)
-uvec4 hash(uvec4 value) {
+uvec4 procedural_bricks_hash(uvec4 value) {
   uvec4 state = value * 747796405u + 2891336453u;
   uvec4 word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
   return (word >> 22u) ^ word;
 }
 
 // value_noise (patterns/value_noise.glsl)
-float value_noise(vec2 uv, vec2 scale, int seed, vec2 uv_dx, vec2 uv_dy) {
+float procedural_bricks_value_noise(vec2 uv, vec2 scale, int seed, vec2 uv_dx, vec2 uv_dy) {
   vec2 p = uv * scale;
   vec2 base = floor(p);
   vec2 t = p - base;
   vec2 fade = t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
   uvec2 cell = uvec2(ivec2(base));
   uint sum = cell.x + 1u;
-  uvec2 rows = hash(uvec2(cell.y, cell.y + 1u) + hash(uint(seed)));
-  uvec4 bits = hash(uvec4(cell.x, sum, cell.x, sum) + rows.xxyy) >> 8u;
+  uvec2 rows = procedural_bricks_hash(uvec2(cell.y, cell.y + 1u)
+      + procedural_bricks_hash(uint(seed)));
+  uvec4 bits = procedural_bricks_hash(uvec4(cell.x, sum, cell.x, sum) + rows.xxyy) >> 8u;
   vec4 corners = vec4(bits) * 5.9604645e-8;
   float low = mix(corners.x, corners.y, fade.x);
   float high = mix(corners.z, corners.w, fade.x);
@@ -75,7 +77,7 @@ float value_noise(vec2 uv, vec2 scale, int seed, vec2 uv_dx, vec2 uv_dy) {
 }
 
 // rectangle (patterns/rectangle.glsl)
-float rectangle(vec2 uv, vec2 size, vec2 uv_dx, vec2 uv_dy) {
+float procedural_bricks_rectangle(vec2 uv, vec2 size, vec2 uv_dx, vec2 uv_dy) {
   vec2 width = max(sqrt(uv_dx * uv_dx + uv_dy * uv_dy), 1e-7);
   vec2 share = min((0.5 * size - abs(uv - 0.5)) / width + 0.5, size / width);
   share = clamp(share, 0.0, 1.0);
@@ -83,33 +85,33 @@ float rectangle(vec2 uv, vec2 size, vec2 uv_dx, vec2 uv_dy) {
 }
 
 // brick_face (function of the graph)
-vec4 brick_face(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
-  // clouds: value_noise
-  float clouds = value_noise(uv, vec2(5.0, 3.0), 1, uv_dx, uv_dy);
-  // grains: value_noise
-  float grains = value_noise(uv, vec2(48.0, 24.0), 2, uv_dx, uv_dy);
-  // rough: lerp
+vec4 procedural_bricks_brick_face(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
+  // clouds: value_noise (patterns/value_noise.glsl)
+  float clouds = procedural_bricks_value_noise(uv, vec2(5.0, 3.0), 1, uv_dx, uv_dy);
+  // grains: value_noise (patterns/value_noise.glsl)
+  float grains = procedural_bricks_value_noise(uv, vec2(48.0, 24.0), 2, uv_dx, uv_dy);
+  // rough: lerp (math/lerp.glsl)
   float rough = mix(clouds, grains, 0.45);
-  // tone: remap
+  // tone: remap (math/remap.glsl)
   float tone = mix(0.55, 1.35, rough);
-  // wave: value_noise
-  float wave = value_noise(uv, vec2(18.0, 9.0), 3, uv_dx, uv_dy);
-  // inset: remap
+  // wave: value_noise (patterns/value_noise.glsl)
+  float wave = procedural_bricks_value_noise(uv, vec2(18.0, 9.0), 3, uv_dx, uv_dy);
+  // inset: remap (math/remap.glsl)
   float inset = mix(0.86, 0.94, wave);
-  // slim: subtract
+  // slim: subtract (math/subtract.glsl)
   float slim = inset - 0.06;
-  // size: combine2
+  // size: combine2 (channels/combine2.glsl)
   vec2 size = vec2(inset, slim);
-  // shape: rectangle
-  float shape = rectangle(uv, size, uv_dx, uv_dy);
-  // face: rgba
+  // shape: rectangle (patterns/rectangle.glsl)
+  float shape = procedural_bricks_rectangle(uv, size, uv_dx, uv_dy);
+  // face: rgba (channels/rgba.glsl)
   vec4 face = vec4(tone, tone, tone, shape);
   return face;
 }
 
 // coverage, of layer (layers/layer.glsl)
-float coverage(vec2 q, vec2 cell_in_q, vec2 local, vec2 q_dx, vec2 q_dy, vec2 local_dx,
-    vec2 local_dy) {
+float procedural_bricks_coverage(vec2 q, vec2 cell_in_q, vec2 local, vec2 q_dx, vec2 q_dy,
+    vec2 local_dx, vec2 local_dy) {
   vec2 density = 1.0 / clamp(sqrt(q_dx * q_dx + q_dy * q_dy), vec2(1e-5), cell_in_q);
   vec2 share = min((0.5 - abs(q - 0.5)) * density + 0.5, density);
   vec2 cell_width = clamp(sqrt(local_dx * local_dx + local_dy * local_dy), 1e-5, 1.0);
@@ -119,10 +121,11 @@ float coverage(vec2 q, vec2 cell_in_q, vec2 local, vec2 q_dx, vec2 q_dy, vec2 lo
 }
 
 // layer (layers/layer.glsl)
-void layer_brick(Tile tile, vec3 tint, vec2 tile_local_dx, vec2 tile_local_dy, out vec4 color,
-    out Tile inner, out vec2 inner_local_dx, out vec2 inner_local_dy) {
-  uint seed = hash(tile.seed);
-  uint hash_value = hash(seed - 2u);
+void procedural_bricks_layer_brick(procedural_bricks_Tile tile, vec3 tint, vec2 tile_local_dx,
+    vec2 tile_local_dy, out vec4 color, out procedural_bricks_Tile inner, out vec2 inner_local_dx,
+    out vec2 inner_local_dy) {
+  uint seed = procedural_bricks_hash(tile.seed);
+  uint hash_value = procedural_bricks_hash(seed - 2u);
   vec2 turn = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
   float size = mix(0.97, 1.02, turn.x);
   float angle = mix(-1.5, 1.5, turn.y) * 0.017453292;
@@ -134,17 +137,17 @@ void layer_brick(Tile tile, vec3 tint, vec2 tile_local_dx, vec2 tile_local_dy, o
   vec2 q = point * p + (product * p.yx + 0.5);
   vec2 q_dx = tile_local_dx * point + tile_local_dx.yx * product;
   vec2 q_dy = tile_local_dy * point + tile_local_dy.yx * product;
-  vec4 color2 = brick_face(q, q_dx, q_dy);
-  float coverage_value = coverage(q, vec2(shrink), tile.local, q_dx, q_dy, tile_local_dx,
-      tile_local_dy);
+  vec4 color2 = procedural_bricks_brick_face(q, q_dx, q_dy);
+  float coverage_value = procedural_bricks_coverage(q, vec2(shrink), tile.local, q_dx, q_dy,
+      tile_local_dx, tile_local_dy);
   color = vec4(color2.xyz * tint, color2.w * coverage_value);
-  inner = Tile(tile.cell, q, size * tile.size, seed);
+  inner = procedural_bricks_Tile(tile.cell, q, size * tile.size, seed);
   inner_local_dx = q_dx;
   inner_local_dy = q_dy;
 }
 
 // circle (patterns/circle.glsl)
-float circle(vec2 uv, float radius, vec2 uv_dx, vec2 uv_dy) {
+float procedural_bricks_circle(vec2 uv, float radius, vec2 uv_dx, vec2 uv_dy) {
   vec2 difference = uv - 0.5;
   float from_center = length(difference);
   float greatest = max(from_center, 1e-20);
@@ -157,16 +160,17 @@ float circle(vec2 uv, float radius, vec2 uv_dx, vec2 uv_dy) {
 }
 
 // layer (layers/layer.glsl)
-vec4 layer_lime(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
-  uint seed = hash(tile.seed + 1u);
-  uint hash_value = hash(seed - 2u);
+vec4 procedural_bricks_layer_lime(procedural_bricks_Tile tile, vec2 tile_local_dx,
+    vec2 tile_local_dy) {
+  uint seed = procedural_bricks_hash(tile.seed + 1u);
+  uint hash_value = procedural_bricks_hash(seed - 2u);
   vec2 turn = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
   float size = mix(0.3, 0.9, turn.x);
   float angle = 360.0 * turn.y * 0.017453292;
   float side = min(tile.size.x, tile.size.y);
   vec2 along = tile.size / side;
   vec2 across = vec2(tile.size.y, -tile.size.x) / side;
-  uint hash_value2 = hash(seed - 1u);
+  uint hash_value2 = procedural_bricks_hash(seed - 1u);
   vec2 product = vec2(float(hash_value2 & 65535u), float(hash_value2 >> 16u)) * 1.5258789e-5;
   vec2 p = tile.local - mix(vec2(0.1, 0.2), vec2(0.9, 0.8), product);
   float shrink = 1.0 / size;
@@ -175,60 +179,62 @@ vec4 layer_lime(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
   vec2 q = product2 * p + (product3 * p.yx + 0.5);
   vec2 q_dx = tile_local_dx * product2 + tile_local_dx.yx * product3;
   vec2 q_dy = tile_local_dy * product2 + tile_local_dy.yx * product3;
-  float circle_value = circle(q, mix(0.08, 0.5, value_noise(q, vec2(7.0), 9, q_dx, q_dy)), q_dx,
-      q_dy);
+  float circle_value = procedural_bricks_circle(q,
+      mix(0.08, 0.5, procedural_bricks_value_noise(q, vec2(7.0), 9, q_dx, q_dy)), q_dx, q_dy);
   vec4 color = vec4(0.62, 0.58, 0.52, circle_value);
-  uint hash_value3 = hash(seed - 3u);
+  uint hash_value3 = procedural_bricks_hash(seed - 3u);
   vec2 luck = vec2(float(hash_value3 & 65535u), float(hash_value3 >> 16u)) * 1.5258789e-5;
   color = luck.y >= 0.5 ? vec4(0.62, 0.58, 0.52, 0.0) : color;
-  float coverage_value = coverage(q, along * shrink, tile.local, q_dx, q_dy, tile_local_dx,
-      tile_local_dy);
+  float coverage_value = procedural_bricks_coverage(q, along * shrink, tile.local, q_dx, q_dy,
+      tile_local_dx, tile_local_dy);
   color = vec4(color.xyz, color.w * (mix(0.2, 0.8, luck.x) * coverage_value));
   return color;
 }
 
 // blend (layers/blend.glsl)
-vec4 blend(vec4 foreground, vec4 background, float mask) {
+vec4 procedural_bricks_blend(vec4 foreground, vec4 background, float mask) {
   float front = foreground.w * mask;
   float alpha = 1.0 - (1.0 - front) * (1.0 - background.w);
   return vec4(mix(background.xyz, foreground.xyz, front / max(alpha, 1e-20)), alpha);
 }
 
 // over (layers/over.glsl)
-vec4 over(vec4 foreground, vec4 background) {
+vec4 procedural_bricks_over(vec4 foreground, vec4 background) {
   float alpha = 1.0 - (1.0 - foreground.w) * (1.0 - background.w);
-  vec3 blend2 = mix(background.xyz, foreground.xyz, foreground.w / max(alpha, 1e-20));
-  return vec4(blend2, alpha);
+  vec3 blend = mix(background.xyz, foreground.xyz, foreground.w / max(alpha, 1e-20));
+  return vec4(blend, alpha);
 }
 
 void procedural_bricks(vec2 uv, out vec4 color, out float height) {
   vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
-  // grid: brick_grid
-  Tile grid;
+  // grid: brick_grid (tiles/brick_grid.glsl)
+  procedural_bricks_Tile grid;
   vec2 grid_local_dx, grid_local_dy;
-  brick_grid(uv, uv_dx, uv_dy, grid, grid_local_dx, grid_local_dy);
-  // shade: tile_random_color
-  vec3 shade = mix(vec3(0.75, 0.8, 0.8), vec3(1.4, 1.05, 1.0), random3(grid.seed));
-  // tint: multiply
+  procedural_bricks_brick_grid(uv, uv_dx, uv_dy, grid, grid_local_dx, grid_local_dy);
+  // shade: tile_random_color (tiles/tile_random_color.glsl)
+  vec3 shade = mix(vec3(0.75, 0.8, 0.8), vec3(1.4, 1.05, 1.0),
+      procedural_bricks_random3(grid.seed));
+  // tint: multiply (math/multiply.glsl)
   vec3 tint = shade * clay;
-  // brick: layer
+  // brick: layer (layers/layer.glsl)
   vec4 brick_color;
-  Tile brick_inner;
+  procedural_bricks_Tile brick_inner;
   vec2 brick_inner_local_dx, brick_inner_local_dy;
-  layer_brick(grid, tint, grid_local_dx, grid_local_dy, brick_color, brick_inner,
+  procedural_bricks_layer_brick(grid, tint, grid_local_dx, grid_local_dy, brick_color, brick_inner,
       brick_inner_local_dx, brick_inner_local_dy);
-  // lime: layer
-  vec4 lime_color = layer_lime(brick_inner, brick_inner_local_dx, brick_inner_local_dy);
-  // face: blend
-  vec4 face = blend(lime_color, brick_color, brick_color.w);
-  // sand: value_noise
-  float sand = value_noise(uv, vec2(220.0), 8, uv_dx, uv_dy);
-  // mortar_tone: remap
+  // lime: layer (layers/layer.glsl)
+  vec4 lime_color = procedural_bricks_layer_lime(brick_inner, brick_inner_local_dx,
+      brick_inner_local_dy);
+  // face: blend (layers/blend.glsl)
+  vec4 face = procedural_bricks_blend(lime_color, brick_color, brick_color.w);
+  // sand: value_noise (patterns/value_noise.glsl)
+  float sand = procedural_bricks_value_noise(uv, vec2(220.0), 8, uv_dx, uv_dy);
+  // mortar_tone: remap (math/remap.glsl)
   float mortar_tone = mix(0.22, 0.4, sand);
-  // mortar_color: combine4
+  // mortar_color: combine4 (channels/combine4.glsl)
   vec4 mortar_color = vec4(mortar_tone, mortar_tone, mortar_tone, 1.0);
-  // wall: over
-  vec4 wall = over(face, mortar_color);
+  // wall: over (layers/over.glsl)
+  vec4 wall = procedural_bricks_over(face, mortar_color);
   color = wall;
   height = brick_color.w;
 }

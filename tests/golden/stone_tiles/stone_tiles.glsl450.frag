@@ -32,7 +32,7 @@ void brick_grid(vec2 uv, vec2 uv_dx, vec2 uv_dy, out Tile tile, out vec2 tile_lo
     out vec2 tile_local_dy) {
   vec2 p = uv * vec2(4.0, 6.0);
   int row = int(floor(p.y));
-  uint row_bits = hash(uint(row) + hash(11u));
+  uint row_bits = hash(uint(row) + 1170772408u);
   p = vec2(p.x + 0.5 * float(row & 1), p.y);
   vec2 corner = floor(p);
   int column = int(corner.x);
@@ -107,44 +107,44 @@ float mortar(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
 
 void main() {
   vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
-  // grid: brick_grid
+  // grid: brick_grid (tiles/brick_grid.glsl)
   Tile grid;
   vec2 grid_local_dx, grid_local_dy;
   brick_grid(uv, uv_dx, uv_dy, grid, grid_local_dx, grid_local_dy);
-  // hue: tile_random
+  // hue: tile_random (tiles/tile_random.glsl)
   float hue = float(hash(grid.seed) >> 8u) * 5.9604645e-8;
-  // stone: color_ramp
+  // stone: color_ramp (color/color_ramp.glsl)
   vec4 stone = color_ramp(hue);
-  // strata: value_noise
+  // strata: value_noise (patterns/value_noise.glsl)
   float strata = value_noise(uv, vec2(5.0, 60.0), 4, uv_dx, uv_dy);
-  // sand: value_noise
+  // sand: value_noise (patterns/value_noise.glsl)
   float sand = value_noise(uv, vec2(180.0), 5, uv_dx, uv_dy);
-  // grain: lerp
+  // grain: lerp (math/lerp.glsl)
   float grain = mix(strata, sand, 0.5);
-  // tone: remap
+  // tone: remap (math/remap.glsl)
   float tone = mix(0.7, 1.2, grain);
-  // toned: multiply
+  // toned: multiply (math/multiply.glsl)
   vec3 toned = stone.xyz * tone;
-  // depth: tile_distance
+  // depth: tile_distance (tiles/tile_distance.glsl)
   vec2 product = (0.5 - abs(grid.local - 0.5)) * grid.size;
   float depth = min(product.x, product.y);
-  // bites: value_noise
+  // bites: value_noise (patterns/value_noise.glsl)
   float bites = value_noise(uv, vec2(50.0), 6, uv_dx, uv_dy);
-  // eaten: multiply
+  // eaten: multiply (math/multiply.glsl)
   float eaten = bites * wear;
-  // inner_depth: subtract
+  // inner_depth: subtract (math/subtract.glsl)
   float inner_depth = depth - eaten;
-  // evenness: smooth_step
+  // evenness: smooth_step (math/smooth_step.glsl)
   float evenness = smooth_step(inner_depth);
-  // worn: remap
+  // worn: remap (math/remap.glsl)
   float worn = mix(0.55, 1.0, evenness);
-  // worn_color: multiply
+  // worn_color: multiply (math/multiply.glsl)
   vec3 worn_color = toned * worn;
-  // joint: mortar
+  // joint: mortar (tiles/mortar.glsl)
   float joint = mortar(grid, grid_local_dx, grid_local_dy);
-  // grouted: lerp
+  // grouted: lerp (math/lerp.glsl)
   vec3 grouted = mix(worn_color, grout, joint);
-  // floor_color: rgba
+  // floor_color: rgba (channels/rgba.glsl)
   vec4 floor_color = vec4(grouted, 1.0);
   out_color = floor_color;
   out_height = evenness;

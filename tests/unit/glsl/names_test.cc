@@ -154,12 +154,12 @@ float layer_block2(vec2 uv) {
 }
 
 void main() {
-  // layer: layer
+  // layer: layer (layers/layer.glsl)
   float layer_layer;
   vec4 layer = layer_block(uv, 1.0, 2.0, Tile2(ivec2(uv), uv), layer_layer);
-  // out_color: noise_value
+  // out_color: noise_value (noise/noise_value.glsl)
   float out_color3 = layer_block2(uv);
-  // texel: image
+  // texel: image (images/image.glsl)
   vec4 texel2 = texture(brick, uv);
   vec4 texel3 = texture(brick, vec2(0.5));
   vec4 texel = texel2 * texel2;
@@ -170,7 +170,8 @@ void main() {
   EXPECT_TRUE(IsValid(module));
 }
 
-// GLSL takes the overload whose parameters have the arguments' types; outputs tell none apart, for they count as parameters.
+// GLSL takes the overload whose parameters have the arguments' types; outputs tell none apart, for
+// they count as parameters.
 TEST(Names, FunctionsWithOtherParametersAreOverloads) {
   const std::string module = R"(input uv: vec2
 function twice_0 as twice(%a: float) -> float {
@@ -208,8 +209,9 @@ function main() -> (color: vec4) {
 main main
 )";
   std::string text = Functions(module);
-  for (const char* line : {"float twice(float a) {", "vec2 twice(vec2 a) {", "vec2 twice2(vec2 a) {",
-                           "float twice3(vec2 a, float b) {", "float twice2(float a, float b) {"}) {
+  for (const char* line :
+       {"float twice(float a) {", "vec2 twice(vec2 a) {", "vec2 twice2(vec2 a) {",
+        "float twice3(vec2 a, float b) {", "float twice2(float a, float b) {"}) {
     EXPECT_NE(text.find(line), std::string::npos) << line << "\n" << text;
   }
   EXPECT_TRUE(IsValid(module));

@@ -93,10 +93,10 @@ vec4 layer(Tile tile, sampler2D image, vec3 tint, vec2 dx, vec2 dy) {
 )";
 
 constexpr char kMain[] = R"(  vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
-  // grid: brick_grid
+  // grid: brick_grid (tiles/brick_grid.glsl)
   float grid_mask;
   Tile grid_tile = brick_grid(uv, 12, grid_mask);
-  // face: layer
+  // face: layer (layers/layer.glsl)
   vec4 face = layer(grid_tile, brick, tint, uv_dx * 12.0, uv_dy * 12.0);
 )";
 
@@ -159,12 +159,11 @@ layout(location = 1) out float out_height;
 )");
 }
 
+// What stands beside other shaders in one file begins all its names with its own.
 TEST(Shader, AsAFunction) {
   std::string function = Shader(kWall, Dialect::k330, true);
-  EXPECT_EQ(
-      function,
-      std::string(
-          R"(// test: a function for a shader of #version 330 or later, compiled by texgraphc 1.0.
+  EXPECT_EQ(function,
+            R"(// test: a function for a shader of #version 330 or later, compiled by texgraphc 1.0.
 // Call it in the main part of a fragment shader, outside branches and loops: textures are
 // sampled with derivatives, which neighbouring pixels have to compute together.
 
@@ -176,18 +175,40 @@ uniform vec3 tint;  // default vec3(1.0)
 uniform sampler2D brick;
 
 // Types
-struct Tile {
+struct test_Tile {
   ivec2 cell;
   vec2 local;
   uint seed;
 };
 
 // Constants
-const float table[4] = float[4](0.25, 0.5, 0.75, 1.0);
+const float test_table[4] = float[4](0.25, 0.5, 0.75, 1.0);
 
-)") + kBlocks +
-          "void test(vec2 uv, out vec4 color, out float height) {\n" + kMain +
-          R"(  color = face * gain;
+// brick_grid (tiles/brick_grid.glsl)
+test_Tile test_brick_grid(vec2 uv, int rows, out float mask) {
+  vec2 p = uv * float(rows);
+  ivec2 cell = ivec2(floor(p));
+  vec2 local = fract(p);
+  uint seed = uint(cell.x) * 747796405u + uint(cell.y);
+  mask = length(local - 0.5) > 0.25 ? 0.0 : 1.0;
+  return test_Tile(cell, local, seed);
+}
+
+// layer (layers/layer.glsl)
+vec4 test_layer(test_Tile tile, sampler2D image, vec3 tint, vec2 dx, vec2 dy) {
+  vec4 texel = textureGrad(image, tile.local, dx, dy);
+  float weight = test_table[clamp(int(tile.seed & 3u), 0, 3)];
+  return vec4(texel.xyz * tint * weight, texel.w);
+}
+
+void test(vec2 uv, out vec4 color, out float height) {
+  vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
+  // grid: brick_grid (tiles/brick_grid.glsl)
+  float grid_mask;
+  test_Tile grid_tile = test_brick_grid(uv, 12, grid_mask);
+  // face: layer (layers/layer.glsl)
+  vec4 face = test_layer(grid_tile, brick, tint, uv_dx * 12.0, uv_dy * 12.0);
+  color = face * gain;
   height = grid_mask;
 }
 )");
