@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A hash table from names to small values, for the symbol tables of the compiler: entries lie in one vector, in the order in
-// which they were added, and that is the order of going through them. Names are views: their text must outlive the map.
+// A hash table from names to small values, for the symbol tables of the compiler: entries lie in
+// one vector, in the order in which they were added, and that is the order of going through them.
+// Names are views: their text must outlive the map.
 #pragma once
 
 #include <cstdint>
@@ -60,6 +61,10 @@ class NameMap {
     return {&entries_.back().value, true};
   }
 
+  void Clear() {
+    entries_.clear();
+    slots_.clear();
+  }
   void Reserve(size_t count) {
     entries_.reserve(count);
     if (2 * count > slots_.size()) Grow(count);

@@ -71,7 +71,7 @@ std::optional<Document> ReadDocument(SourceId source, DocumentFormat format, con
   Document document;
   document.source = source;
   // About what a graph has; a large document grows by itself.
-  document.nodes.reserve(std::min<size_t>(text.size() / 16, 1 << 20));
+  document.nodes.reserve(std::min<size_t>(text.size() / 12, 1 << 20));
   bool ok = false;
   if (format == DocumentFormat::kYaml) {
     ok = ReadYaml(source, text, document, diagnostics);

@@ -7,8 +7,6 @@
 #include <memory>
 #include <utility>
 
-#include "compiler/base/name_map.h"
-
 namespace texgraph::graph {
 namespace {
 
@@ -17,28 +15,25 @@ constexpr uint32_t kManyKeys = 12;
 
 }  // namespace
 
-// As soon as the object is whole: it lies in the cache then.
-void DocumentBuilder::FindDuplicateKeys(const DocumentNode& object) {
-  auto index = [&](const DocumentNode& node) {
-    return static_cast<uint32_t>(&node - document_.nodes.data());
-  };
+// Looks for the key among those of the open object, while they are in the cache.
+void DocumentBuilder::CheckKey(const DocumentNode& object, uint32_t index) {
+  const std::string_view key = document_.nodes[index].key;
   if (object.child_count < kManyKeys) {
-    for (const DocumentNode& child : document_.children(object)) {
-      for (const DocumentNode& before : document_.children(object)) {
-        if (&before == &child) break;
-        if (before.key != child.key) continue;
-        document_.duplicate_keys.push_back({index(child), index(before)});
-        break;
-      }
+    for (const DocumentNode& before : document_.children(object)) {
+      if (before.key != key) continue;
+      document_.duplicate_keys.push_back({index, IndexOf(before)});
+      return;
     }
     return;
   }
-  NameMap<uint32_t> seen;
-  seen.Reserve(object.child_count);
-  for (const DocumentNode& child : document_.children(object)) {
-    auto [first, fresh] = seen.Add(child.key, index(child));
-    if (!fresh) document_.duplicate_keys.push_back({index(child), *first});
+  NameMap<uint32_t>& known = keys_[depth_ - 1];
+  if (object.child_count == kManyKeys) {
+    known.Clear();
+    for (const DocumentNode& before : document_.children(object))
+      known.Add(before.key, IndexOf(before));
   }
+  auto [first, fresh] = known.Add(key, index);
+  if (!fresh) document_.duplicate_keys.push_back({index, *first});
 }
 
 // Makes the node at `index` the last child of the open container.
@@ -51,6 +46,7 @@ void DocumentBuilder::Link(uint32_t index) {
   if (parent.kind == DocumentKind::kObject) {
     node.key = key_;
     node.key_range = key_range_;
+    CheckKey(parent, index);
   }
   if (parent.child_count++ == 0) {
     parent.first_child = index;
@@ -90,8 +86,6 @@ bool DocumentBuilder::Open(const DocumentNode& node) {
 void DocumentBuilder::Close(uint32_t end) {
   Frame frame = open_[--depth_];
   document_.nodes[frame.node].range.end = end;
-  if (document_.nodes[frame.node].kind == DocumentKind::kObject)
-    FindDuplicateKeys(document_.nodes[frame.node]);
   last_height_ = frame.height + 1;
   if (depth_ > 0) open_[depth_ - 1].height = std::max(open_[depth_ - 1].height, last_height_);
 }

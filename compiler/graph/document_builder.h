@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "compiler/base/name_map.h"
 #include "compiler/graph/document.h"
 
 namespace texgraph::graph {
@@ -49,12 +50,16 @@ class DocumentBuilder {
     int height;  // of the highest child so far
   };
   void Link(uint32_t index);
-  void FindDuplicateKeys(const DocumentNode& object);
+  void CheckKey(const DocumentNode& object, uint32_t index);
+  uint32_t IndexOf(const DocumentNode& node) const {
+    return static_cast<uint32_t>(&node - document_.nodes.data());
+  }
   bool TooDeep(SourceRange range);
 
   Document& document_;
   Diagnostics& diagnostics_;
   std::array<Frame, kMaxNesting> open_;
+  std::array<NameMap<uint32_t>, kMaxNesting> keys_;  // of open objects that have many
   int depth_ = 0;
   int last_height_ = 0;
   std::string_view key_;

@@ -39,7 +39,8 @@ ConstId& Module::ConstantSlot(TypeId type, std::span<const uint32_t> words) {
   const size_t mask = constant_slots_.size() - 1;
   for (size_t slot = HashWords(type, words) & mask;; slot = (slot + 1) & mask) {
     ConstId& id = constant_slots_[slot];
-    if (!id || (constants_[id.index].type == type && std::ranges::equal(Words(id), words))) return id;
+    if (!id || (constants_[id.index].type == type && std::ranges::equal(Words(id), words)))
+      return id;
   }
 }
 
@@ -51,8 +52,9 @@ NameId Module::InternName(std::string_view name) {
   return id;
 }
 
-OriginId Module::AddOrigin(Origin origin) {
-  origins.push_back(std::move(origin));
+OriginId Module::AddOrigin(const Origin& origin) {
+  auto keep = [&](std::string_view text) { return Name(InternName(text)); };
+  origins.push_back({keep(origin.node), keep(origin.block), keep(origin.source)});
   return OriginId(origins.size() - 1);
 }
 

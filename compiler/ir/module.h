@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The intermediate form: typed values in single assignment, with regions instead of a control-flow graph.
+// The intermediate form: typed values in single assignment, with regions instead of a control-flow
+// graph.
 //
-// A module owns types, constants, globals and functions. A function owns its instructions; an instruction is at most one value.
-// Every instruction but constants and parameters stands in the body of exactly one region, and its operands come before it in
-// that body or in an enclosing region's. All operations are pure: the order of a body is free but for operands, and what nothing
-// uses is not there. Vectors only grow: a pass reads one function and builds another through Builder (builder.h).
+// A module owns types, constants, globals and functions. A function owns its instructions; an
+// instruction is at most one value. Every instruction but constants and parameters stands in the
+// body of exactly one region, and its operands come before it in that body or in an enclosing
+// region's. All operations are pure: the order of a body is free but for operands, and what nothing
+// uses is not there. Vectors only grow: a pass reads one function and builds another through
+// Builder (builder.h).
 #pragma once
 
 #include <cstdint>
@@ -37,12 +40,13 @@ struct Inst {
   uint16_t operand_count = 0;
   TypeId type;
   uint32_t first_operand = 0;  // into Function::operands
-  uint32_t aux = 0;  // kConst: ConstId. kParam: index. kGlobal: GlobalId. kExtract: index. kSwizzle: mask. kIf: BranchId.
-                     // kFor: LoopId. kCall, kFieldRef: FunctionId
+  uint32_t aux = 0;  // kConst: ConstId. kParam: index. kGlobal: GlobalId. kExtract: index.
+                     // kSwizzle: mask. kIf: BranchId. kFor: LoopId. kCall, kFieldRef: FunctionId
 };
 
 struct Region {
-  std::vector<ValueId> params;   // of a loop's body: the index, then the carried values. Of a function: all parameters
+  std::vector<ValueId> params;   // of a loop's body: the index, then the carried values. Of a
+                                 // function: all parameters
   std::vector<ValueId> body;     // in order; constants and parameters are in no body
   std::vector<ValueId> results;  // what the region yields or the function returns
 };
@@ -53,7 +57,8 @@ struct Branch {
   RegionId else_region;
 };
 
-// for (int i = first; i < last; i += step): the trip count is known when the loop is made, so every loop ends.
+// for (int i = first; i < last; i += step): the trip count is known when the loop is made, so every
+// loop ends.
 struct ForLoop {
   int32_t first = 0;
   int32_t last = 0;
@@ -98,12 +103,15 @@ struct Function {
   std::span<const ValueId> Operands(ValueId v) const { return Operands(insts[v.index]); }
   const Region& Body() const { return regions[body.index]; }
   NameId NameOf(ValueId v) const { return v.index < names.size() ? names[v.index] : NameId(); }
-  OriginId OriginOf(ValueId v) const { return v.index < origins.size() ? origins[v.index] : OriginId(); }
+  OriginId OriginOf(ValueId v) const {
+    return v.index < origins.size() ? origins[v.index] : OriginId();
+  }
 };
 
 struct Constant {
   TypeId type;
-  uint32_t first_word = 0;  // into Module::words; Types::Words(type) of them, floats as their bits, bools as 0 or 1
+  uint32_t first_word =
+      0;  // into Module::words; Types::Words(type) of them, floats as their bits, bools as 0 or 1
 };
 
 enum class GlobalKind : uint8_t { kInput, kUniform, kSpecialization, kTexture };
@@ -112,19 +120,23 @@ struct Global {
   GlobalKind kind;
   std::string name;
   TypeId type;
-  ConstId value;  // the default of uniforms and specialisation constants
+  ConstId value;          // the default of uniforms and specialisation constants
   bool is_smooth = true;  // textures: filtered linearly, so that what is sampled is continuous
 };
 
-// Where a value came from, for comments and diagnostics.
+// Where a value came from, for comments and diagnostics. The module keeps the texts.
 struct Origin {
-  std::string node;    // "face"; empty inside a block
-  std::string block;   // "layer"
-  std::string source;  // "layers/layer.glsl"
+  std::string_view node;    // "face"; empty inside a block
+  std::string_view block;   // "layer"
+  std::string_view source;  // "layers/layer.glsl"
 };
 
 class Module {
  public:
+  Module() = default;
+  Module(Module&&) = default;
+  Module& operator=(Module&&) = default;
+
   Types types;
   std::deque<Function> functions;  // callees before callers
   std::vector<Global> globals;
@@ -144,7 +156,7 @@ class Module {
   NameId InternName(std::string_view name);
   std::string_view Name(NameId id) const { return names_[id.index]; }
 
-  OriginId AddOrigin(Origin origin);
+  OriginId AddOrigin(const Origin& origin);
   GlobalId AddGlobal(Global global);
   Function& operator[](FunctionId id) { return functions[id.index]; }
   const Function& operator[](FunctionId id) const { return functions[id.index]; }

@@ -71,12 +71,11 @@ bool ModuleParser::ParseOrigin() {
   if (reader_.ok() && id.text != std::to_string(module_.origins.size())) {
     return reader_.Fail(id.range, "expected #" + std::to_string(module_.origins.size()));
   }
-  Origin origin;
   reader_.Expect("=");
-  origin.node = reader_.TakeKind(TokenKind::kString, "the node in quotes").text;
-  origin.block = reader_.TakeKind(TokenKind::kString, "the block in quotes").text;
-  origin.source = reader_.TakeKind(TokenKind::kString, "the source in quotes").text;
-  if (reader_.ok()) module_.AddOrigin(std::move(origin));
+  const std::string node = reader_.TakeKind(TokenKind::kString, "the node in quotes").text;
+  const std::string block = reader_.TakeKind(TokenKind::kString, "the block in quotes").text;
+  const std::string file = reader_.TakeKind(TokenKind::kString, "the source in quotes").text;
+  if (reader_.ok()) module_.AddOrigin({node, block, file});
   return reader_.ok();
 }
 

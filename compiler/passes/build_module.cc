@@ -342,12 +342,14 @@ void Scope::Emit(uint32_t index) {
   const CheckedNode& node = subgraph_.nodes[index];
   ir::OriginId outer = builder_.origin();
   if (!program_.failed) {
-    std::string block = node.block
-                            ? node.block->name
-                            : std::string(program_.graph.functions[node.function].subgraph->name);
-    builder_.SetOrigin(
-        program_.module.AddOrigin({std::string(node.node->name), block,
-                                   node.block ? node.block->path : "function of the graph"}));
+    ir::Origin origin{node.node->name, {}, "function of the graph"};
+    if (node.block) {
+      origin.block = node.block->name;
+      origin.source = node.block->path;
+    } else {
+      origin.block = program_.graph.functions[node.function].subgraph->name;
+    }
+    builder_.SetOrigin(program_.module.AddOrigin(origin));
     if (node.block) {
       EmitBlock(node, index);
     } else {

@@ -285,7 +285,7 @@ void InstanceRebuilder::CallInstance(ValueId old, FunctionId callee,
   ir::OriginId origin = from_.OriginOf(old);
   bool in_node = origin && !module_.origins[origin.index].node.empty();
   Specializer::Callee made = specializer_.Instance(
-      callee, bindings_, in_node ? std::string_view(module_.origins[origin.index].node) : suffix_);
+      callee, bindings_, in_node ? module_.origins[origin.index].node : suffix_);
   if (specializer_.failed()) {
     // Whatever is made from now on is thrown away, but it must have its type.
     const std::vector<ir::Result>& types = specializer_.old(callee).results;
