@@ -178,6 +178,10 @@ std::string Conflict(const Options& options) {
     return "-MF names one file, but there are several graphs";
   if (several && !options.dependency_target.empty())
     return "-MT names one target, but there are several graphs";
+  if (!options.dependency_target.empty() && !options.write_dependencies &&
+      options.dependency_file.empty()) {
+    return "-MT names the target in a dependency file; add -MD to write one";
+  }
   if (options.write_dependencies && options.output == "-" && options.dependency_file.empty()) {
     return "-MD needs -MF when the shader goes to standard output";
   }
@@ -227,6 +231,11 @@ std::optional<CommandLine> ReadCommandLine(int argc, const char* const* argv,
   if (raw.help) line.text = kHelp;
   if (raw.version && line.text.empty()) line.text = "texgraphc " TEXGRAPH_VERSION "\n";
   if (!line.text.empty()) return line;
+  for (const char* name : {"-o", "--manifest", "--MF", "--MT"}) {
+    if (app.count(name) > 0 && app.get_option(name)->as<std::string>().empty()) {
+      Usage(diagnostics, Reworded(name, true));
+    }
+  }
   for (const std::string& argument : app.remaining()) {
     if (argument != "--") ReportUnexpected(argument, diagnostics);
   }

@@ -98,6 +98,8 @@ TEST(CommandLine, RefusalsAndHints) {
             "'simplify'?");
   EXPECT_EQ(Refused({"g", "-o"}), "-o needs a value");
   EXPECT_EQ(Refused({"g", "-MF"}), "-MF needs a value");
+  EXPECT_EQ(Refused({"g", "-o", ""}), "-o needs a value");
+  EXPECT_EQ(Refused({"g", "-MD", "-MF", ""}), "-MF needs a value");
   for (const char* jobs : {"x", "-1", "257", "4x", "", "99999999999999999999"}) {
     EXPECT_THAT(Refused({"-j", jobs, "g"}), HasSubstr("-j takes a number from 0 to 256")) << jobs;
   }
@@ -111,6 +113,7 @@ TEST(CommandLine, OptionsThatExcludeEachOther) {
   EXPECT_THAT(Refused({"a", "b", "--manifest", "m"}), HasSubstr("--manifest"));
   EXPECT_THAT(Refused({"a", "b", "-MF", "m"}), HasSubstr("-MF"));
   EXPECT_THAT(Refused({"a", "b", "-MT", "m"}), HasSubstr("-MT"));
+  EXPECT_THAT(Refused({"a", "-MT", "m"}), HasSubstr("add -MD"));
   EXPECT_THAT(Refused({"a", "-o", "-", "-MD"}), HasSubstr("-MD needs -MF"));
   EXPECT_THAT(Refused({"-", "-"}), HasSubstr("only once"));
 }
