@@ -2,6 +2,13 @@
 const int FIT_STRETCH = 0;
 const int FIT_CONTAIN = 1;
 const int FIT_COVER = 2;
+const int TURN_NONE = 0;
+const int TURN_HALVES = 1;
+const int TURN_QUARTERS = 2;
+const int FLIP_NONE = 0;
+const int FLIP_X = 1;
+const int FLIP_Y = 2;
+const int FLIP_BOTH = 3;
 
 /// Draws an image once in every tile, each time a little different: moved, scaled, turned and faded
 /// at random within limits.
@@ -17,15 +24,21 @@ const int FIT_COVER = 2;
 /// @param position_min left and lower limit of the centre's position, in tiles @default vec2(0.5)
 /// @param position_max right and upper limit of the centre's position, in tiles @default vec2(0.5)
 /// @param scale least and greatest size, in tiles; above 0 @default vec2(1)
+/// @param stretch least and greatest height for each width: 1 keeps the shape that `fit` gives, 2
+///   is twice as high; above 0 @default vec2(1)
 /// @param rotation least and greatest angle, counter-clockwise @default vec2(0) @unit degrees
 /// @param opacity least and greatest opacity @default vec2(1) @range 0 1
 /// @param chance the share of the tiles in which the image is drawn @default 1 @range 0 1
 /// @param tint what the image's colour is multiplied by @default vec3(1)
 /// @param fit the shape at scale 1: stretch, that of the tile; contain, the largest square that
 ///   fits in; cover, the smallest square that covers the tile @default FIT_STRETCH
+/// @param turn the image is turned within its element at random: none; halves, by 0 or 180 degrees;
+///   quarters, by 0, 90, 180 or 270 degrees @default TURN_NONE
+/// @param flip the image is mirrored within its element at random: none; x, left and right; y, up
+///   and down; both, each for itself @default FLIP_NONE
 /// @param stream layers with different streams vary independently of each other @default 0
 /// @param color the layer's colour, straight alpha
-/// @param inner the frame of the image, as a tile for child layers
+/// @param inner the frame of the image, turned and flipped with it, as a tile for child layers
 vec4 image(vec2 uv);
 
 // The share of the pixel within its cell that the element covers, for each axis of the element.
@@ -42,28 +55,56 @@ float coverage(vec2 q, vec2 cell_in_q, vec2 local) {
   return covered.x * covered.y;
 }
 
-void layer(Tile tile, vec2 position_min, vec2 position_max, vec2 scale, vec2 rotation, vec2 opacity,
-           float chance, vec3 tint, const int fit, int stream, out vec4 color, out Tile inner) {
+// The place in the image of a place in its element.
+vec2 turned(vec2 q, uint bits, const int turn, const int flip) {
+  if (turn == TURN_NONE && flip == FLIP_NONE) {
+    return q;
+  }
+  vec2 p = q - 0.5;
+  if (turn == TURN_QUARTERS) {
+    p = (bits & 1u) != 0u ? vec2(p.y, -p.x) : p;
+  }
+  if (turn != TURN_NONE) {
+    p = (bits & 2u) != 0u ? -p : p;
+  }
+  if (flip == FLIP_X || flip == FLIP_BOTH) {
+    p.x = (bits & 4u) != 0u ? -p.x : p.x;
+  }
+  if (flip == FLIP_Y || flip == FLIP_BOTH) {
+    p.y = (bits & 8u) != 0u ? -p.y : p.y;
+  }
+  return p + 0.5;
+}
+
+void layer(Tile tile, vec2 position_min, vec2 position_max, vec2 scale, vec2 stretch, vec2 rotation,
+           vec2 opacity, float chance, vec3 tint, const int fit, const int turn, const int flip,
+           int stream, out vec4 color, out Tile inner) {
   uint seed = hash(tile.seed + uint(stream));
-  vec2 turn = random2(seed, -2);
-  float size = mix(scale.x, scale.y, turn.x);
-  float angle = radians(mix(rotation.x, rotation.y, turn.y));
+  vec2 pose = random2(seed, -2);
+  float angle = radians(mix(rotation.x, rotation.y, pose.y));
+  uint bits = hash(seed - 4u);
+  float ratio = mix(stretch.x, stretch.y, float(bits & 65535u) * 0.0000152587890625);
+  float size = mix(scale.x, scale.y, pose.x);
   float side = fit == FIT_CONTAIN ? min(tile.size.x, tile.size.y) : max(tile.size.x, tile.size.y);
   vec2 frame = fit == FIT_STRETCH ? tile.size : vec2(side);
   vec2 along = fit == FIT_STRETCH ? vec2(1.0) : tile.size / side;
   vec2 across = vec2(tile.size.y, -tile.size.x) / frame;
   vec2 p = tile.local - mix(position_min, position_max, random2(seed, -1));
   float shrink = 1.0 / size;
-  vec2 q = cos(angle) * shrink * along * p + (sin(angle) * shrink * across * p.yx + 0.5);
+  vec2 into = shrink * vec2(1.0, 1.0 / ratio);
+  vec2 q = cos(angle) * into * along * p + (sin(angle) * into * across * p.yx + 0.5);
   inner.cell = tile.cell;
-  inner.local = q;
-  inner.size = size * frame;
+  inner.local = turned(q, bits >> 16u, turn, flip);
+  inner.size = size * vec2(1.0, ratio) * frame;
+  if (turn == TURN_QUARTERS) {
+    inner.size = (bits >> 16u & 1u) != 0u ? inner.size.yx : inner.size;
+  }
   inner.seed = seed;
-  color = image(q);
+  color = image(inner.local);
   color.rgb *= tint;
   vec2 luck = random2(seed, -3);
   if (chance < 1.0 && luck.y >= chance) {
     color.a = 0.0;
   }
-  color.a *= mix(opacity.x, opacity.y, luck.x) * coverage(q, along * shrink, tile.local);
+  color.a *= mix(opacity.x, opacity.y, luck.x) * coverage(q, along * into, tile.local);
 }

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <map>
 #include <numbers>
 
 #include "tests/blocks/reference.h"
@@ -95,6 +94,7 @@ struct Limits {
   double scale_min = 1, scale_max = 1, rotation_min = 0, rotation_max = 0;
   bool contain = false;
   uint32_t stream = 0;
+  double stretch_min = 1, stretch_max = 1;
 };
 
 // The middle of the element in texture space, from its parent's frame: position, scale and rotation
@@ -113,7 +113,8 @@ Frame PlaceIn(const Frame& parent, const Limits& limits) {
   Point shape = limits.contain ? Point{side, side} : parent.size;
   return {{parent.origin.x + c * dx - s * dy, parent.origin.y + s * dx + c * dy},
           parent.angle + angle,
-          {scale * shape.x, scale * shape.y},
+          {scale * shape.x,
+           scale * shape.y * Mix(limits.stretch_min, limits.stretch_max, Low16(Pcg(seed - 4)))},
           seed};
 }
 
@@ -142,12 +143,12 @@ const Limits kChildLimits = {{0.1, 0.2}, {0.9, 0.7}, 0.3, 0.6, -180, 180, true, 
 const char* const kChild =
     R"(, "position_min": [0.1, 0.2], "position_max": [0.9, 0.7], "scale": [0.3, 0.6], "rotation": [-180, 180], "fit": "contain", "stream": 3)";
 
-TEST(LayerTest, DrawsWhereTheReferenceSays) {
+void ExpectAsTheReferenceSays(const std::string& parent_ports, const Limits& parent_limits) {
   std::vector<Point> points = Scatter(600);
-  std::vector<Seen> parents = RunLayer(kGrid, kParent, "", points);
-  std::vector<Seen> children = RunLayer(kGrid, kParent, kChild, points);
+  std::vector<Seen> parents = RunLayer(kGrid, parent_ports, "", points);
+  std::vector<Seen> children = RunLayer(kGrid, parent_ports, kChild, points);
   for (size_t i = 0; i < points.size(); ++i) {
-    Frame parent = PlaceIn(CellFrame(points[i]), kParentLimits);
+    Frame parent = PlaceIn(CellFrame(points[i]), parent_limits);
     Frame child = PlaceIn(parent, kChildLimits);
     Point p = InFrame(parent, points[i]), c = InFrame(child, points[i]);
     ASSERT_NEAR(parents[i].q.x, p.x, 2e-4);
@@ -166,6 +167,53 @@ TEST(LayerTest, DrawsWhereTheReferenceSays) {
   }
 }
 
+TEST(LayerTest, DrawsWhereTheReferenceSays) { ExpectAsTheReferenceSays(kParent, kParentLimits); }
+
+TEST(LayerTest, StretchedElementsAreWhereTheReferenceSays) {
+  Limits limits = kParentLimits;
+  limits.stretch_min = 0.6;
+  limits.stretch_max = 1.4;
+  ExpectAsTheReferenceSays(std::string(kParent) + R"(, "stretch": [0.6, 1.4])", limits);
+}
+
+// Within the element the image is turned and mirrored by the bits of the layer's seed.
+TEST(LayerTest, TurnsAndFlips) {
+  std::vector<Point> points = Scatter(500);
+  std::vector<Seen> plain = RunLayer(kGrid, kParent, "", points);
+  struct Mode {
+    const char* ports;
+    uint32_t bits;  // that have a meaning: 1 a quarter, 2 a half, 4 left and right, 8 up and down
+  };
+  for (const Mode& mode : {Mode{R"(, "turn": "halves")", 2},
+                           {R"(, "turn": "quarters")", 3},
+                           {R"(, "flip": "x")", 4},
+                           {R"(, "flip": "y")", 8},
+                           {R"(, "flip": "both")", 12},
+                           {R"(, "turn": "quarters", "flip": "x")", 7}}) {
+    std::vector<Seen> seen = RunLayer(kGrid, kParent + std::string(mode.ports), "", points);
+    uint32_t set = 0, clear = 0;
+    for (size_t i = 0; i < points.size(); ++i) {
+      uint32_t seed = PlaceIn(CellFrame(points[i]), kParentLimits).seed;
+      uint32_t bits = Pcg(seed - 4) >> 16 & mode.bits;
+      set |= bits;
+      clear |= ~bits & mode.bits;
+      Point p{plain[i].q.x - 0.5, plain[i].q.y - 0.5};
+      if (bits & 1) p = {p.y, -p.x};
+      if (bits & 2) p = {-p.x, -p.y};
+      if (bits & 4) p.x = -p.x;
+      if (bits & 8) p.y = -p.y;
+      ASSERT_NEAR(seen[i].q.x, p.x + 0.5, 1e-4) << mode.ports;
+      ASSERT_NEAR(seen[i].q.y, p.y + 0.5, 1e-4) << mode.ports;
+      // The element itself stays where it is, and its children see it turned.
+      EXPECT_EQ(seen[i].alpha, plain[i].alpha);
+      EXPECT_EQ(seen[i].inner.x, seen[i].q.x);
+      EXPECT_EQ(seen[i].size.x, bits & 1 ? plain[i].size.y : plain[i].size.x);
+    }
+    EXPECT_EQ(set, mode.bits) << mode.ports;
+    EXPECT_EQ(clear, mode.bits) << mode.ports;
+  }
+}
+
 // Distances in the image, in texture space, are distances on the surface: a turned brick does not
 // shear. Without a reference.
 TEST(LayerTest, IsRigidInTextureSpace) {
@@ -174,9 +222,14 @@ TEST(LayerTest, IsRigidInTextureSpace) {
   for (Point& p : moved) {
     p = {p.x + 0.003, p.y - 0.002};
   }
-  for (const char* child : {"", kChild}) {
-    std::vector<Seen> a = RunLayer(kGrid, kParent, child, points),
-                      b = RunLayer(kGrid, kParent, child, moved);
+  const std::string turned =
+      std::string(kParent) + R"(, "turn": "quarters", "flip": "both", "stretch": [0.5, 1.5])";
+  for (auto [parent, child] : {std::pair<std::string, const char*>{kParent, ""},
+                               {kParent, kChild},
+                               {turned, ""},
+                               {turned, kChild}}) {
+    std::vector<Seen> a = RunLayer(kGrid, parent, child, points),
+                      b = RunLayer(kGrid, parent, child, moved);
     int compared = 0;
     for (size_t i = 0; i < points.size(); ++i) {
       if (CellFrame(points[i]).seed != CellFrame(moved[i]).seed) {

@@ -81,9 +81,9 @@ void layer_brick_layer(Tile tile, vec3 tint, vec2 tile_local_dx, vec2 tile_local
     out Tile inner, out vec2 inner_local_dx, out vec2 inner_local_dy) {
   uint seed = hash(tile.seed);
   uint hash_value = hash(seed - 2u);
-  vec2 turn = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
-  float size = mix(0.97, 1.03, turn.x);
-  float angle = mix(-1.2, 1.2, turn.y) * 0.017453292;
+  vec2 pose = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
+  float angle = mix(-1.2, 1.2, pose.y) * 0.017453292;
+  float size = mix(0.97, 1.03, pose.x);
   vec2 across = vec2(tile.size.y, -tile.size.x) / tile.size;
   uint hash_value2 = hash(seed - 1u);
   vec2 product = vec2(float(hash_value2 & 65535u), float(hash_value2 >> 16u)) * 1.5258789e-5;
@@ -107,9 +107,9 @@ void layer_brick_layer(Tile tile, vec3 tint, vec2 tile_local_dx, vec2 tile_local
 vec4 layer_soot_layer(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
   uint seed = hash(tile.seed + 1u);
   uint hash_value = hash(seed - 2u);
-  vec2 turn = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
-  float size = mix(0.8, 1.5, turn.x);
-  float angle = mix(-8.0, 8.0, turn.y) * 0.017453292;
+  vec2 pose = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
+  float angle = mix(-8.0, 8.0, pose.y) * 0.017453292;
+  float size = mix(0.8, 1.5, pose.x);
   vec2 across = vec2(tile.size.y, -tile.size.x) / tile.size;
   uint hash_value2 = hash(seed - 1u);
   vec2 product = vec2(float(hash_value2 & 65535u), float(hash_value2 >> 16u)) * 1.5258789e-5;
@@ -134,9 +134,9 @@ vec4 layer_soot_layer(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
 vec4 layer_moss_layer(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
   uint seed = hash(tile.seed + 2u);
   uint hash_value = hash(seed - 2u);
-  vec2 turn = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
-  float size = mix(0.4, 1.0, turn.x);
-  float angle = mix(-180.0, 180.0, turn.y) * 0.017453292;
+  vec2 pose = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
+  float angle = mix(-180.0, 180.0, pose.y) * 0.017453292;
+  float size = mix(0.4, 1.0, pose.x);
   float side = min(tile.size.x, tile.size.y);
   vec2 along = tile.size / side;
   vec2 across = vec2(tile.size.y, -tile.size.x) / side;

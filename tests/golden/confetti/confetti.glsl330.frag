@@ -88,9 +88,9 @@ float coverage(vec2 q, vec2 cell_in_q, vec2 local, vec2 q_dx, vec2 q_dy, vec2 lo
 vec4 layer_sheet_1(Tile tile, vec3 tint, vec2 tile_local_dx, vec2 tile_local_dy) {
   uint seed = hash(tile.seed);
   uint hash_value = hash(seed - 2u);
-  vec2 turn = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
-  float size = mix(0.5, 0.75, turn.x);
-  float angle = 360.0 * turn.y * 0.017453292;
+  vec2 pose = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
+  float angle = 360.0 * pose.y * 0.017453292;
+  float size = mix(0.5, 0.75, pose.x);
   vec2 across = vec2(tile.size.y, -tile.size.x) / tile.size;
   uint hash_value2 = hash(seed - 1u);
   vec2 product = vec2(float(hash_value2 & 65535u), float(hash_value2 >> 16u)) * 1.5258789e-5;
@@ -113,9 +113,9 @@ vec4 layer_sheet_2(Tile tile, vec2 position_min, vec2 position_max, vec2 scale, 
     vec2 tile_local_dx, vec2 tile_local_dy) {
   uint seed = hash(tile.seed);
   uint hash_value = hash(seed - 2u);
-  vec2 turn = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
-  float size = mix(scale.x, scale.y, turn.x);
-  float angle = 360.0 * turn.y * 0.017453292;
+  vec2 pose = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
+  float angle = 360.0 * pose.y * 0.017453292;
+  float size = mix(scale.x, scale.y, pose.x);
   vec2 across = vec2(tile.size.y, -tile.size.x) / tile.size;
   uint hash_value2 = hash(seed - 1u);
   vec2 product = vec2(float(hash_value2 & 65535u), float(hash_value2 >> 16u)) * 1.5258789e-5;

@@ -129,9 +129,9 @@ void layer_brick(Tile tile, vec3 tint, vec2 tile_local_dx, vec2 tile_local_dy, o
     out Tile inner, out vec2 inner_local_dx, out vec2 inner_local_dy) {
   uint seed = hash(tile.seed);
   uint hash_value = hash(seed - 2u);
-  vec2 turn = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
-  float size = mix(0.97, 1.02, turn.x);
-  float angle = mix(-1.5, 1.5, turn.y) * 0.017453292;
+  vec2 pose = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
+  float angle = mix(-1.5, 1.5, pose.y) * 0.017453292;
+  float size = mix(0.97, 1.02, pose.x);
   vec2 across = vec2(tile.size.y, -tile.size.x) / tile.size;
   vec2 p = tile.local - 0.5;
   float shrink = 1.0 / size;
@@ -166,9 +166,9 @@ float circle(vec2 uv, float radius, vec2 uv_dx, vec2 uv_dy) {
 vec4 layer_lime(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
   uint seed = hash(tile.seed + 1u);
   uint hash_value = hash(seed - 2u);
-  vec2 turn = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
-  float size = mix(0.3, 0.9, turn.x);
-  float angle = 360.0 * turn.y * 0.017453292;
+  vec2 pose = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
+  float angle = 360.0 * pose.y * 0.017453292;
+  float size = mix(0.3, 0.9, pose.x);
   float side = min(tile.size.x, tile.size.y);
   vec2 along = tile.size / side;
   vec2 across = vec2(tile.size.y, -tile.size.x) / side;
