@@ -39,6 +39,11 @@ const int FLIP_BOTH = 3;
 /// @param stream layers with different streams vary independently of each other @default 0
 /// @param color the layer's colour, straight alpha
 /// @param inner the frame of the image, turned and flipped with it, as a tile for child layers
+/// @param inner_position the tile moved as the image is, for children that follow its position alone
+/// @param inner_rotation the tile turned about its middle as the image is, for children that follow
+///   its rotation alone
+/// @param inner_scale the tile scaled about its middle as the image is, for children that follow its
+///   scale alone
 vec4 image(vec2 uv);
 
 // The share of the pixel within its cell that the element covers, for each axis of the element.
@@ -78,7 +83,8 @@ vec2 turned(vec2 q, uint bits, const int turn, const int flip) {
 
 void layer(Tile tile, vec2 position_min, vec2 position_max, vec2 scale, vec2 stretch, vec2 rotation,
            vec2 opacity, float chance, vec3 tint, const int fit, const int turn, const int flip,
-           int stream, out vec4 color, out Tile inner) {
+           int stream, out vec4 color, out Tile inner, out Tile inner_position,
+           out Tile inner_rotation, out Tile inner_scale) {
   uint seed = hash(tile.seed + uint(stream));
   vec2 pose = random2(seed, -2);
   float angle = radians(mix(rotation.x, rotation.y, pose.y));
@@ -89,7 +95,8 @@ void layer(Tile tile, vec2 position_min, vec2 position_max, vec2 scale, vec2 str
   vec2 frame = fit == FIT_STRETCH ? tile.size : vec2(side);
   vec2 along = fit == FIT_STRETCH ? vec2(1.0) : tile.size / side;
   vec2 across = vec2(tile.size.y, -tile.size.x) / frame;
-  vec2 p = tile.local - mix(position_min, position_max, random2(seed, -1));
+  vec2 center = mix(position_min, position_max, random2(seed, -1));
+  vec2 p = tile.local - center;
   float shrink = 1.0 / size;
   vec2 into = shrink * vec2(1.0, 1.0 / ratio);
   vec2 q = cos(angle) * into * along * p + (sin(angle) * into * across * p.yx + 0.5);
@@ -100,6 +107,16 @@ void layer(Tile tile, vec2 position_min, vec2 position_max, vec2 scale, vec2 str
     inner.size = (bits >> 16u & 1u) != 0u ? inner.size.yx : inner.size;
   }
   inner.seed = seed;
+  vec2 from_middle = tile.local - 0.5;
+  inner_position = Tile(tile.cell, p + 0.5, tile.size, seed);
+  inner_rotation.cell = tile.cell;
+  inner_rotation.local =
+      cos(angle) * from_middle +
+      (sin(angle) * vec2(tile.size.y, -tile.size.x) / tile.size * from_middle.yx + 0.5);
+  inner_rotation.size = tile.size;
+  inner_rotation.seed = seed;
+  inner_scale =
+      Tile(tile.cell, into * from_middle + 0.5, size * vec2(1.0, ratio) * tile.size, seed);
   color = image(inner.local);
   color.rgb *= tint;
   vec2 luck = random2(seed, -3);

@@ -29,7 +29,8 @@ struct Seen {
 
 // A graph with one layer, or a parent and a child ("child" not empty); the output is that of the
 // last.
-std::string GraphOf(const std::string& grid, const std::string& parent, const std::string& child) {
+std::string GraphOf(const std::string& grid, const std::string& parent, const std::string& child,
+                    const std::string& inner = "inner") {
   std::string last = child.empty() ? "parent" : "child";
   std::string text = R"({"texgraph": 1,
     "functions": {"where": {"inputs": {"uv": "vec2"}, "nodes": {
@@ -40,8 +41,8 @@ std::string GraphOf(const std::string& grid, const std::string& parent, const st
       "parent": {"block": "layer", "in": {"tile": "grid", "image": "where")" +
                      parent + "}}";
   if (!child.empty()) {
-    text += R"(, "child": {"block": "layer", "in": {"tile": "parent.inner", "image": "where")" +
-            child + "}}";
+    text += R"(, "child": {"block": "layer", "in": {"tile": "parent.)" + inner +
+            R"(", "image": "where")" + child + "}}";
   }
   text += R"(, "parts": {"block": "tile_parts", "in": {"tile": ")" + last + R"(.inner"}},
       "local": {"block": "components", "in": {"vector": "parts.local"}},
@@ -211,6 +212,36 @@ TEST(LayerTest, TurnsAndFlips) {
     }
     EXPECT_EQ(set, mode.bits) << mode.ports;
     EXPECT_EQ(clear, mode.bits) << mode.ports;
+  }
+}
+
+// A child in a frame that follows one thing of its parent lies as in a parent that does nothing
+// else.
+TEST(LayerTest, ChildrenFollowOneThingOfTheirParents) {
+  std::vector<Point> points = Scatter(400);
+  auto run = [&](const std::string& parent, const char* inner) {
+    auto outputs = RunGraph(GraphOf(kGrid, parent, kChild, inner), points, {1e-4, 1e-4}, 1e-3);
+    std::vector<Point> where;
+    for (size_t i = 0; i < points.size(); ++i) {
+      where.push_back({outputs["color"].Float(i, 0), outputs["color"].Float(i, 1)});
+    }
+    return where;
+  };
+  const std::string position = R"(, "position_min": [0.3, 0.35], "position_max": [0.6, 0.7])";
+  const std::string scale = R"(, "scale": [0.6, 0.9], "stretch": [0.8, 1.2])";
+  const std::string rotation = R"(, "rotation": [-60, 45])";
+  const std::string all = position + scale + rotation + R"(, "turn": "quarters")";
+  struct Case {
+    const char* inner;
+    std::string alone;
+  };
+  for (const Case& one : {Case{"inner_position", position}, Case{"inner_scale", scale},
+                          Case{"inner_rotation", rotation}}) {
+    std::vector<Point> followed = run(all, one.inner), wanted = run(one.alone, "inner");
+    for (size_t i = 0; i < points.size(); ++i) {
+      ASSERT_NEAR(followed[i].x, wanted[i].x, 1e-4) << one.inner;
+      ASSERT_NEAR(followed[i].y, wanted[i].y, 1e-4) << one.inner;
+    }
   }
 }
 

@@ -87,7 +87,8 @@ void layer_brick_layer(Tile tile, vec3 tint, vec2 tile_local_dx, vec2 tile_local
   vec2 across = vec2(tile.size.y, -tile.size.x) / tile.size;
   uint hash_value2 = hash(seed - 1u);
   vec2 product = vec2(float(hash_value2 & 65535u), float(hash_value2 >> 16u)) * 1.5258789e-5;
-  vec2 p = tile.local - mix(vec2(0.485, 0.48), vec2(0.515, 0.52), product);
+  vec2 center = mix(vec2(0.485, 0.48), vec2(0.515, 0.52), product);
+  vec2 p = tile.local - center;
   float shrink = 1.0 / size;
   vec2 point = vec2(cos(angle) * shrink);
   vec2 product2 = sin(angle) * shrink * across;
@@ -113,7 +114,8 @@ vec4 layer_soot_layer(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
   vec2 across = vec2(tile.size.y, -tile.size.x) / tile.size;
   uint hash_value2 = hash(seed - 1u);
   vec2 product = vec2(float(hash_value2 & 65535u), float(hash_value2 >> 16u)) * 1.5258789e-5;
-  vec2 p = tile.local - mix(vec2(0.1, 0.4), vec2(0.9, 0.7), product);
+  vec2 center = mix(vec2(0.1, 0.4), vec2(0.9, 0.7), product);
+  vec2 p = tile.local - center;
   float shrink = 1.0 / size;
   vec2 point = vec2(cos(angle) * shrink);
   vec2 product2 = sin(angle) * shrink * across;
@@ -142,7 +144,8 @@ vec4 layer_moss_layer(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
   vec2 across = vec2(tile.size.y, -tile.size.x) / side;
   uint hash_value2 = hash(seed - 1u);
   vec2 product = vec2(float(hash_value2 & 65535u), float(hash_value2 >> 16u)) * 1.5258789e-5;
-  vec2 p = tile.local - mix(vec2(0.1, 0.3), vec2(0.9, 0.55), product);
+  vec2 center = mix(vec2(0.1, 0.3), vec2(0.9, 0.55), product);
+  vec2 p = tile.local - center;
   float shrink = 1.0 / size;
   vec2 product2 = cos(angle) * shrink * along;
   vec2 product3 = sin(angle) * shrink * across;

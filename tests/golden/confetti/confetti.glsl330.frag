@@ -94,7 +94,8 @@ vec4 layer_sheet_1(Tile tile, vec3 tint, vec2 tile_local_dx, vec2 tile_local_dy)
   vec2 across = vec2(tile.size.y, -tile.size.x) / tile.size;
   uint hash_value2 = hash(seed - 1u);
   vec2 product = vec2(float(hash_value2 & 65535u), float(hash_value2 >> 16u)) * 1.5258789e-5;
-  vec2 p = tile.local - mix(vec2(0.4), vec2(0.6), product);
+  vec2 center = mix(vec2(0.4), vec2(0.6), product);
+  vec2 p = tile.local - center;
   float shrink = 1.0 / size;
   vec2 point = vec2(cos(angle) * shrink);
   vec2 product2 = sin(angle) * shrink * across;
@@ -119,7 +120,8 @@ vec4 layer_sheet_2(Tile tile, vec2 position_min, vec2 position_max, vec2 scale, 
   vec2 across = vec2(tile.size.y, -tile.size.x) / tile.size;
   uint hash_value2 = hash(seed - 1u);
   vec2 product = vec2(float(hash_value2 & 65535u), float(hash_value2 >> 16u)) * 1.5258789e-5;
-  vec2 p = tile.local - mix(position_min, position_max, product);
+  vec2 center = mix(position_min, position_max, product);
+  vec2 p = tile.local - center;
   float shrink = 1.0 / size;
   vec2 point = vec2(cos(angle) * shrink);
   vec2 product2 = sin(angle) * shrink * across;

@@ -174,7 +174,8 @@ vec4 layer_lime(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
   vec2 across = vec2(tile.size.y, -tile.size.x) / side;
   uint hash_value2 = hash(seed - 1u);
   vec2 product = vec2(float(hash_value2 & 65535u), float(hash_value2 >> 16u)) * 1.5258789e-5;
-  vec2 p = tile.local - mix(vec2(0.1, 0.2), vec2(0.9, 0.8), product);
+  vec2 center = mix(vec2(0.1, 0.2), vec2(0.9, 0.8), product);
+  vec2 p = tile.local - center;
   float shrink = 1.0 / size;
   vec2 product2 = cos(angle) * shrink * along;
   vec2 product3 = sin(angle) * shrink * across;
