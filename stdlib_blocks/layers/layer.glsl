@@ -36,6 +36,11 @@ const int FLIP_BOTH = 3;
 ///   quarters, by 0, 90, 180 or 270 degrees @default TURN_NONE
 /// @param flip the image is mirrored within its element at random: none; x, left and right; y, up
 ///   and down; both, each for itself @default FLIP_NONE
+/// @param fade_size the layer goes to `far` where the shorter side of an element has fewer pixels: it
+///   is all there from this size on, and gone at half of it; 0 never @default 0 @range 0 4096
+///   @unit pixels
+/// @param far what the layer is from far away, straight alpha: its mean over a tile, with the share
+///   of the tile that it covers as opacity; by default it fades out @default vec4(0)
 /// @param stream layers with different streams vary independently of each other @default 0
 /// @param color the layer's colour, straight alpha
 /// @param inner the frame of the image, turned and flipped with it, as a tile for child layers
@@ -83,7 +88,7 @@ vec2 turned(vec2 q, uint bits, const int turn, const int flip) {
 
 void layer(Tile tile, vec2 position_min, vec2 position_max, vec2 scale, vec2 stretch, vec2 rotation,
            vec2 opacity, float chance, vec3 tint, const int fit, const int turn, const int flip,
-           int stream, out vec4 color, out Tile inner, out Tile inner_position,
+           float fade_size, vec4 far, int stream, out vec4 color, out Tile inner, out Tile inner_position,
            out Tile inner_rotation, out Tile inner_scale) {
   uint seed = hash(tile.seed + uint(stream));
   vec2 pose = random2(seed, -2);
@@ -124,4 +129,12 @@ void layer(Tile tile, vec2 position_min, vec2 position_max, vec2 scale, vec2 str
     color.a = 0.0;
   }
   color.a *= mix(opacity.x, opacity.y, luck.x) * coverage(q, along * into, tile.local);
+  if (fade_size > 0.0) {
+    vec2 width = footprint(q);
+    float pixels = 1.0 / max(max(width.x, width.y), 1e-6);
+    float near = clamp(2.0 * pixels / fade_size - 1.0, 0.0, 1.0);
+    float alpha = mix(far.a, color.a, near);
+    color.rgb = mix(far.rgb * far.a, color.rgb * color.a, near) / max(alpha, 1e-20);
+    color.a = alpha;
+  }
 }

@@ -387,6 +387,34 @@ TEST(LayerTest, OpacityAndChance) {
   EXPECT_NEAR(sum / drawn, 0.5, 5 / std::sqrt(12.0 * drawn));
 }
 
+// All there from the size on, gone at half of it, and between these without a jump.
+TEST(LayerTest, GoesToItsMeanFromFarAway) {
+  std::vector<Point> points = Scatter(50);
+  const std::string fade = R"(, "scale": 0.8, "fade_size": 20, "far": [0.25, 0.5, 0.75, 0.6])";
+  std::vector<Seen> before;
+  // The shorter side of an element is 0.8 / 6 of the surface: it has 20 pixels of this size.
+  const double size = 0.8 / 6 / 20;
+  for (double pixel = 0.9 * size; pixel < 2.5 * size; pixel *= 1.02) {
+    std::vector<Seen> seen = RunLayer(kGrid, fade, "", points, pixel),
+                      plain = RunLayer(kGrid, R"(, "scale": 0.8)", "", points, pixel);
+    for (size_t i = 0; i < points.size(); ++i) {
+      if (pixel < size) {
+        EXPECT_EQ(seen[i].alpha, plain[i].alpha);
+      } else if (pixel > 2 * size) {
+        EXPECT_NEAR(seen[i].alpha, 0.6, 1e-6);
+        EXPECT_NEAR(seen[i].q.x, 0.25, 1e-6);
+      } else {
+        double near = 2 * size / pixel - 1;
+        EXPECT_NEAR(seen[i].alpha, 0.6 + near * (plain[i].alpha - 0.6), 2e-3);
+        double red = 0.25 * 0.6 + near * (plain[i].q.x * plain[i].alpha - 0.25 * 0.6);
+        EXPECT_NEAR(seen[i].q.x * seen[i].alpha, red, 2e-3);
+      }
+      if (!before.empty()) EXPECT_NEAR(seen[i].alpha, before[i].alpha, 0.06);
+    }
+    before = seen;
+  }
+}
+
 TEST(LayerTest, Fit) {
   std::vector<Point> points = {{0.5 / kColumns, 0.5 / kRows}};
   Seen stretch = RunLayer(kGrid, "", "", points)[0];
