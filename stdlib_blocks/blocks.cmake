@@ -69,6 +69,7 @@ set(TEXGRAPH_STDLIB_BLOCKS
   tiles/tile_random.glsl
   tiles/tile_random_color.glsl
   tiles/tile_uv.glsl
+  tiles/tile_weighted_choice.glsl
   tiles/wrap_cell.glsl
   types.glsl
 )

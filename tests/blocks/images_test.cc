@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -67,6 +68,29 @@ TEST(ImageTest, GivesTheTexelsOfThePicture) {
       EXPECT_NEAR(outputs["color"].Float(i, c), wanted[c], 2e-4);
     }
     EXPECT_EQ(outputs["color"].Float(i, 3), 1.0f);
+  }
+}
+
+// Layer 0, layer 1, and the last one for a number beyond it.
+TEST(ImageTest, GivesTheLayersOfAnArray) {
+  const std::array<pictures::Picture, 2> layers = {pictures::MakeMoss(), pictures::MakeSoot()};
+  const std::vector<std::pair<int, int>> texels = {{0, 0}, {255, 255}, {17, 201}, {128, 3}};
+  std::vector<Point> points;
+  for (auto [x, y] : texels) points.push_back({(x + 0.5) / 256, (y + 0.5) / 256});
+  for (int layer : {0, 1, 5}) {
+    auto outputs = RunGraph(
+        R"({"texgraph": 1, "textures": {"stains": {"layers": ["moss.png", "soot.png"]}}, "nodes": {
+            "n": {"block": "image", "in": {"picture": "stains", "layer": )" +
+            std::to_string(layer) + R"(}}}, "outputs": {"color": "n"}})",
+        points, {1e-5, 1e-5});
+    ASSERT_EQ(outputs.size(), 1u);
+    const pictures::Picture& shown = layers[std::min(layer, 1)];
+    for (size_t i = 0; i < points.size(); ++i) {
+      std::array<double, 3> wanted = TexelAt(shown, texels[i].first, texels[i].second);
+      for (size_t c = 0; c < 3; ++c) {
+        EXPECT_NEAR(outputs["color"].Float(i, c), wanted[c], 2e-4) << layer;
+      }
+    }
   }
 }
 

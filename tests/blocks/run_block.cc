@@ -225,12 +225,16 @@ Textures LoadTextures(const Lowered& lowered, const std::string& folder) {
         continue;
       }
       Diagnostics diagnostics;
-      auto image = textures::ReadImage(folder + std::string(texture.files[0]), {}, diagnostics);
-      EXPECT_TRUE(image.has_value());
+      std::vector<textures::Image> images;
+      for (std::string_view file : texture.files) {
+        auto image = textures::ReadImage(folder + std::string(file), {}, diagnostics);
+        EXPECT_TRUE(image.has_value());
+        if (image) images.push_back(std::move(*image));
+      }
       textures::TextureOptions options;
+      options.is_array = texture.is_array;
       options.srgb = texture.color_space == graph::ColorSpace::kSrgb;
-      auto data =
-          textures::MakeTexture(std::span(&*image, 1), options, texture.name, {}, diagnostics);
+      auto data = textures::MakeTexture(images, options, texture.name, {}, diagnostics);
       EXPECT_TRUE(data.has_value());
       loaded.textures.push_back(textures::ToTexture(*data));
       loaded.by_global[i] = &loaded.textures.back();

@@ -214,6 +214,28 @@ TEST(TileChoiceTest, EveryNumberEquallyOften) {
   }
 }
 
+TEST(TileWeightedChoiceTest, EveryNumberAsOftenAsItsWeight) {
+  constexpr int kTiles = 20000;
+  Values tiles = SomeTiles(kTiles);
+  for (const Vector& weights : {Vector{1, 1, 1, 1}, Vector{5, 0, 3, 2}, Vector{0, 0, 0.25, 0},
+                                Vector{0, 7, 0, 1}, Vector{1e-3, 2e-3, 3e-3, 0}}) {
+    auto outputs =
+        RunBlock("tile_weighted_choice", {{"tile", tiles}, {"weights", Vectors({weights})}});
+    ASSERT_EQ(outputs.size(), 1u);
+    std::array<int, 4> counts{};
+    for (size_t i = 0; i < tiles.count; ++i) {
+      int32_t choice = outputs["result"].Int(i);
+      ASSERT_TRUE(choice >= 0 && choice < 4);
+      ++counts[static_cast<size_t>(choice)];
+    }
+    double sum = weights[0] + weights[1] + weights[2] + weights[3];
+    for (size_t k = 0; k < 4; ++k) {
+      double p = weights[k] / sum;
+      EXPECT_NEAR(counts[k], kTiles * p, 5 * std::sqrt(kTiles * p * (1 - p))) << k;
+    }
+  }
+}
+
 TEST(TilePartsTest, AreTheTiles) {
   Values tiles = Tiles({}, {{0.3, 0.7}});
   auto parts = RunBlock("tile_parts", {{"tile", tiles}});
