@@ -61,6 +61,23 @@ set(TEXGRAPH_STDLIB_BLOCKS
   random/random.glsl
   random/random2.glsl
   random/random3.glsl
+  shapes/sdf_arc.glsl
+  shapes/sdf_circle.glsl
+  shapes/sdf_difference.glsl
+  shapes/sdf_fill.glsl
+  shapes/sdf_intersection.glsl
+  shapes/sdf_line.glsl
+  shapes/sdf_outline.glsl
+  shapes/sdf_quadratic_curve.glsl
+  shapes/sdf_regular_polygon.glsl
+  shapes/sdf_ring.glsl
+  shapes/sdf_round.glsl
+  shapes/sdf_rounded_rectangle.glsl
+  shapes/sdf_smooth_union.glsl
+  shapes/sdf_star.glsl
+  shapes/sdf_stroke.glsl
+  shapes/sdf_triangle.glsl
+  shapes/sdf_union.glsl
   tiles/brick_grid.glsl
   tiles/mortar.glsl
   tiles/tile_choice.glsl
