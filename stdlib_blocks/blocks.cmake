@@ -13,7 +13,13 @@ set(TEXGRAPH_STDLIB_BLOCKS
   channels/to_float.glsl
   channels/to_int.glsl
   channels/xy.glsl
+  color/color_key.glsl
   color/color_ramp.glsl
+  color/hsv_adjust.glsl
+  color/hsv_to_rgb.glsl
+  color/premultiply.glsl
+  color/rgb_to_hsv.glsl
+  color/unpremultiply.glsl
   constants/color_constant.glsl
   constants/float_constant.glsl
   constants/int_constant.glsl
@@ -22,6 +28,7 @@ set(TEXGRAPH_STDLIB_BLOCKS
   images/image.glsl
   images/tiled_image.glsl
   images/uv_transform.glsl
+  layers/apply_mask.glsl
   layers/blend.glsl
   layers/layer.glsl
   layers/over.glsl
@@ -85,6 +92,7 @@ set(TEXGRAPH_STDLIB_BLOCKS
   tiles/tile_parts.glsl
   tiles/tile_random.glsl
   tiles/tile_random_color.glsl
+  tiles/tile_random_hsv.glsl
   tiles/tile_uv.glsl
   tiles/tile_weighted_choice.glsl
   tiles/wrap_cell.glsl

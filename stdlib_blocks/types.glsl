@@ -1,5 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The struct types of the library. Every block may use them; a graph may carry them on a wire.
+// And the constants that blocks share.
+
+// What red, green and blue are in a colour with alpha: themselves, or already multiplied by it.
+// Colours on wires are straight unless a port says otherwise.
+const int ALPHA_STRAIGHT = 0;
+const int ALPHA_PREMULTIPLIED = 1;
 
 /// One tile of a tiling, as seen from one point: what a block needs to draw something else in every
 /// tile.

@@ -161,22 +161,15 @@ vec4 brick_wall_layer_moss_layer(brick_wall_Tile tile, vec2 tile_local_dx, vec2 
 // blend (layers/blend.glsl)
 vec4 brick_wall_blend_sooty_brick(vec4 foreground, vec4 background, float opacity, float mask) {
   float front = foreground.w * opacity * mask;
-  float alpha = 1.0 - (1.0 - front) * (1.0 - background.w);
-  return vec4(mix(background.xyz, foreground.xyz, front / max(alpha, 1e-20)), alpha);
-}
-
-// over (layers/over.glsl)
-vec4 brick_wall_over(vec4 foreground, vec4 background) {
-  float alpha = 1.0 - (1.0 - foreground.w) * (1.0 - background.w);
-  vec3 blend = mix(background.xyz, foreground.xyz, foreground.w / max(alpha, 1e-20));
-  return vec4(blend, alpha);
+  float both = mix(background.w, 1.0, front);
+  return vec4(mix(background.xyz, foreground.xyz, front / max(both, 1e-20)), both);
 }
 
 // blend (layers/blend.glsl)
 vec4 brick_wall_blend_mossy_wall(vec4 foreground, vec4 background, float opacity) {
   float front = foreground.w * opacity;
-  float alpha = 1.0 - (1.0 - front) * (1.0 - background.w);
-  return vec4(mix(background.xyz, foreground.xyz, front / max(alpha, 1e-20)), alpha);
+  float both = mix(background.w, 1.0, front);
+  return vec4(mix(background.xyz, foreground.xyz, front / max(both, 1e-20)), both);
 }
 
 void brick_wall(vec2 uv, out vec4 color, out float roughness) {
@@ -187,8 +180,6 @@ void brick_wall(vec2 uv, out vec4 color, out float roughness) {
   brick_wall_brick_grid(uv, uv_dx, uv_dy, grid, grid_local_dx, grid_local_dy);
   // bed: tiled_image (images/tiled_image.glsl)
   vec4 bed = texture(mortar, uv * 3.0);
-  // mortar_layer: rgba (channels/rgba.glsl)
-  vec4 mortar_layer = vec4(bed.xyz, 1.0);
   // firing: tile_random (tiles/tile_random.glsl)
   float firing = float(brick_wall_hash(grid.seed) >> 8u) * 5.9604645e-8;
   // clay: color_ramp (color/color_ramp.glsl)
@@ -215,7 +206,7 @@ void brick_wall(vec2 uv, out vec4 color, out float roughness) {
   vec4 sooty_brick = brick_wall_blend_sooty_brick(soot_layer_color, brick_layer_color, soot_amount,
       brick_layer_color.w);
   // wall: over (layers/over.glsl)
-  vec4 wall = brick_wall_over(sooty_brick, mortar_layer);
+  vec4 wall = vec4(mix(bed.xyz, sooty_brick.xyz, sooty_brick.w), 1.0);
   // mossy_wall: blend (layers/blend.glsl)
   vec4 mossy_wall = brick_wall_blend_mossy_wall(moss_layer_color, wall, moss_amount);
   // roughness: lerp (math/lerp.glsl)

@@ -136,13 +136,6 @@ vec4 confetti_layer_sheet_2(confetti_Tile tile, vec2 position_min, vec2 position
   return color;
 }
 
-// over (layers/over.glsl)
-vec4 confetti_over(vec4 foreground, vec4 background) {
-  float alpha = 1.0 - (1.0 - foreground.w) * (1.0 - background.w);
-  vec3 blend = mix(background.xyz, foreground.xyz, foreground.w / max(alpha, 1e-20));
-  return vec4(blend, alpha);
-}
-
 vec4 confetti(vec2 uv) {
   vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
   // grid_1: brick_grid (tiles/brick_grid.glsl)
@@ -172,10 +165,14 @@ vec4 confetti(vec2 uv) {
   vec4 sheet_3_color = confetti_layer_sheet_2(grid_3, vec2(0.3), vec2(0.7), vec2(0.3, 0.6), color_3,
       grid_3_local_dx, grid_3_local_dy);
   // lower: over (layers/over.glsl)
-  vec4 lower = confetti_over(sheet_3_color, ground);
+  float blend = mix(ground.w, 1.0, sheet_3_color.w);
+  vec3 blend2 = mix(ground.xyz, sheet_3_color.xyz, sheet_3_color.w / max(blend, 1e-20));
   // middle: over (layers/over.glsl)
-  vec4 middle = confetti_over(sheet_2_color, lower);
+  float blend3 = mix(blend, 1.0, sheet_2_color.w);
+  vec3 blend4 = mix(blend2, sheet_2_color.xyz, sheet_2_color.w / max(blend3, 1e-20));
   // upper: over (layers/over.glsl)
-  vec4 upper = confetti_over(sheet_1_color, middle);
+  float blend5 = mix(blend3, 1.0, sheet_1_color.w);
+  vec3 blend6 = mix(blend4, sheet_1_color.xyz, sheet_1_color.w / max(blend5, 1e-20));
+  vec4 upper = vec4(blend6, blend5);
   return upper;
 }

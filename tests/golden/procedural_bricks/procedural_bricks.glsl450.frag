@@ -197,15 +197,8 @@ vec4 layer_lime(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
 // blend (layers/blend.glsl)
 vec4 blend(vec4 foreground, vec4 background, float mask) {
   float front = foreground.w * mask;
-  float alpha = 1.0 - (1.0 - front) * (1.0 - background.w);
-  return vec4(mix(background.xyz, foreground.xyz, front / max(alpha, 1e-20)), alpha);
-}
-
-// over (layers/over.glsl)
-vec4 over(vec4 foreground, vec4 background) {
-  float alpha = 1.0 - (1.0 - foreground.w) * (1.0 - background.w);
-  vec3 blend2 = mix(background.xyz, foreground.xyz, foreground.w / max(alpha, 1e-20));
-  return vec4(blend2, alpha);
+  float both = mix(background.w, 1.0, front);
+  return vec4(mix(background.xyz, foreground.xyz, front / max(both, 1e-20)), both);
 }
 
 void main() {
@@ -232,10 +225,8 @@ void main() {
   float sand = value_noise(uv, vec2(220.0), 8, uv_dx, uv_dy);
   // mortar_tone: remap (math/remap.glsl)
   float mortar_tone = mix(0.22, 0.4, sand);
-  // mortar_color: combine4 (channels/combine4.glsl)
-  vec4 mortar_color = vec4(mortar_tone, mortar_tone, mortar_tone, 1.0);
   // wall: over (layers/over.glsl)
-  vec4 wall = over(face, mortar_color);
+  vec4 wall = vec4(mix(vec3(mortar_tone), face.xyz, face.w), 1.0);
   out_color = wall;
   out_height = brick_color.w;
 }
