@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a blend leaves in the shader: the functions of its own mode, and nothing of the other
-// nineteen, of the choice between them, or of the other form of alpha.
+// What blocks that work on colours leave in the shader: of a blend the functions of its own mode,
+// and nothing of the other nineteen, of the choice between them, or of the other form of alpha; of
+// a change of hue, saturation and value those of the three that change.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cctype>
 #include <map>
 #include <optional>
@@ -19,12 +21,13 @@ namespace {
 
 using Names = std::set<std::string>;
 
-std::string ShaderOf(const std::string& ports, const std::string& background = "\"back\"") {
+std::string ShaderOf(const std::string& nodes) {
   std::string text = R"({"texgraph": 1, "parameters": {
       "front": {"type": "vec4", "value": 1, "binding": "uniform"},
-      "back": {"type": "vec4", "value": 1, "binding": "uniform"}},
-    "nodes": {"both": {"block": "blend", "in": {"foreground": "front", "background": )" +
-                     background + ", " + ports + R"(}}}, "outputs": {"color": "both"}})";
+      "back": {"type": "vec4", "value": 1, "binding": "uniform"},
+      "turn": {"type": "float", "value": 0, "binding": "uniform"}},
+    "nodes": {)" + nodes +
+                     R"(}, "outputs": {"color": "both"}})";
   Sources sources;
   Diagnostics diagnostics;
   SourceId source = sources.Add("traces.json", text);
@@ -47,6 +50,11 @@ std::string CodeOf(const std::string& shader) {
     at = end + 1;
   }
   return code;
+}
+
+std::string BlendCode(const std::string& ports, const std::string& background = "\"back\"") {
+  return CodeOf(ShaderOf(R"("both": {"block": "blend", "in": {"foreground": "front", )" + ports +
+                         R"(, "background": )" + background + "}}"));
 }
 
 // All names before a parenthesis, but for what every shader has: types, main and the block itself.
@@ -92,7 +100,7 @@ const std::map<std::string, Names> kOfMode = {
 
 // Functions may be written out where they are called, so the block's own are allowed, not wanted.
 void ExpectCalls(const std::string& ports, const Names& wanted, const Names& own) {
-  std::string code = CodeOf(ShaderOf(ports));
+  std::string code = BlendCode(ports);
   Names calls = Calls(code), expected = wanted;
   for (const std::string& name : own) {
     if (calls.contains(name)) {
@@ -136,14 +144,14 @@ TEST(BlendTracesTest, PremultipliedAlphaHasItsModeAlone) {
 TEST(BlendTracesTest, FourPremultipliedModesDontDivide) {
   for (const char* mode : {"mix", "add", "multiply", "screen"}) {
     std::string ports = "\"mode\": \"" + std::string(mode) + "\"";
-    EXPECT_NE(CodeOf(ShaderOf(ports)).find('/'), std::string::npos) << mode;
-    std::string premultiplied = CodeOf(ShaderOf(ports + ", \"alpha\": \"premultiplied\""));
+    EXPECT_NE(BlendCode(ports).find('/'), std::string::npos) << mode;
+    std::string premultiplied = BlendCode(ports + ", \"alpha\": \"premultiplied\"");
     EXPECT_EQ(premultiplied.find('/'), std::string::npos) << mode << premultiplied;
   }
 }
 
 TEST(BlendTracesTest, OverAnOpaqueBackgroundNothingIsDivided) {
-  std::string code = CodeOf(ShaderOf("\"mode\": \"multiply\"", "[0.5, 0.5, 0.5, 1]"));
+  std::string code = BlendCode("\"mode\": \"multiply\"", "[0.5, 0.5, 0.5, 1]");
   EXPECT_EQ(code.find('/'), std::string::npos) << code;
   EXPECT_EQ(Calls(code), Names{"mix"}) << code;
 }
@@ -153,14 +161,49 @@ TEST(BlendTracesTest, WithoutOpacityOrMaskTheBackgroundIsLeft) {
   for (const auto& [mode, reference] : reference::kBlendModes) {
     for (const char* alpha : {"straight", "premultiplied"}) {
       for (const char* nothing : {"\"opacity\": 0", "\"mask\": 0"}) {
-        std::string code = CodeOf(ShaderOf("\"mode\": \"" + std::string(mode) +
-                                           "\", \"alpha\": \"" + alpha + "\", " + nothing));
+        std::string code = BlendCode("\"mode\": \"" + std::string(mode) + "\", \"alpha\": \"" +
+                                     alpha + "\", " + nothing);
         EXPECT_EQ(Calls(code), Names{}) << code;
         EXPECT_EQ(code.find_first_of("+-*/"), std::string::npos) << code;
         EXPECT_EQ(code.find("front"), std::string::npos) << code;
       }
     }
   }
+}
+
+// The code of hsv_adjust with these ports.
+std::string AdjustCode(const std::string& ports) {
+  return CodeOf(
+      ShaderOf(R"("both": {"block": "hsv_adjust", "in": {"color": "front", )" + ports + "}}"));
+}
+
+TEST(HsvTracesTest, ValueAloneIsAFactor) {
+  std::string code = AdjustCode(R"("value": 2)");
+  EXPECT_EQ(Calls(code), Names{}) << code;
+}
+
+TEST(HsvTracesTest, SaturationAloneAsksForNoHue) {
+  std::string code = AdjustCode(R"("saturation": 0.5)");
+  Names calls = Calls(code);
+  calls.erase("hsv_adjust");
+  EXPECT_EQ(calls, (Names{"max", "min", "mix"})) << code;
+}
+
+TEST(HsvTracesTest, NoChangeIsNothing) {
+  std::string code = AdjustCode(R"("value": 1, "saturation": 1, "hue": 0)");
+  EXPECT_EQ(Calls(code), Names{}) << code;
+  EXPECT_EQ(code.find_first_of("+-*/"), std::string::npos) << code;
+}
+
+TEST(HsvTracesTest, HueGoesRoundTheCircle) {
+  Names calls = Calls(AdjustCode(R"("hue": "turn")"));
+  EXPECT_TRUE(calls.contains("fract"));
+}
+
+TEST(HsvTracesTest, LimitsThatAreEqualDrawNoNumber) {
+  std::string code = CodeOf(ShaderOf(R"("grid": {"block": "brick_grid"},
+      "both": {"block": "tile_random_hsv", "in": {"tile": "grid", "color": "front", "value": 0.5}})"));
+  EXPECT_EQ(Calls(code), Names{}) << code;
 }
 
 }  // namespace
