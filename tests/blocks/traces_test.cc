@@ -202,7 +202,8 @@ TEST(HsvTracesTest, HueGoesRoundTheCircle) {
 
 TEST(HsvTracesTest, LimitsThatAreEqualDrawNoNumber) {
   std::string code = CodeOf(ShaderOf(R"("grid": {"block": "brick_grid"},
-      "both": {"block": "tile_random_hsv", "in": {"tile": "grid", "color": "front", "value": 0.5}})"));
+      "both": {"block": "tile_random_hsv",
+               "in": {"tile": "grid", "color": "front", "value": 0.5}})"));
   EXPECT_EQ(Calls(code), Names{}) << code;
 }
 
