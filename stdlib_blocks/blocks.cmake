@@ -85,8 +85,15 @@ set(TEXGRAPH_STDLIB_BLOCKS
   shapes/sdf_stroke.glsl
   shapes/sdf_triangle.glsl
   shapes/sdf_union.glsl
+  tiles/basket_weave_grid.glsl
   tiles/brick_grid.glsl
+  tiles/flemish_grid.glsl
+  tiles/herringbone_grid.glsl
+  tiles/hexagon_grid.glsl
+  tiles/joint.glsl
   tiles/mortar.glsl
+  tiles/octagon_square_grid.glsl
+  tiles/random_length_grid.glsl
   tiles/tile_choice.glsl
   tiles/tile_distance.glsl
   tiles/tile_parts.glsl
@@ -95,6 +102,7 @@ set(TEXGRAPH_STDLIB_BLOCKS
   tiles/tile_random_hsv.glsl
   tiles/tile_uv.glsl
   tiles/tile_weighted_choice.glsl
+  tiles/triangle_grid.glsl
   tiles/wrap_cell.glsl
   types.glsl
 )
