@@ -137,6 +137,8 @@ std::optional<int> SubgraphChecker::Cost(const Overload& overload, const Node& n
 std::optional<int> SubgraphChecker::PortCost(const Port& port, const Argument& argument,
                                              const Resolved& resolved) const {
   if (port.kind == blocks::PortKind::kField) return FieldCost(port, argument, resolved);
+  // A port's own words go before what has the same name in the graph.
+  if (argument.kind == Argument::Kind::kString && !port.words.empty()) return 0;
   if (resolved.kind == Resolved::Kind::kWrong) return 0;
   if (resolved.kind == Resolved::Kind::kLiteral) {
     return LiteralCost(argument, port.type, check_.module.types);
@@ -241,7 +243,9 @@ bool SubgraphChecker::ReportPortThatNeverFits(uint32_t index,
     if (fits) continue;
     found = true;
     Target target{*ports[0], {"port", input.port, "node", node.name, ports[0]->range}};
-    if (types.size() == 1) {
+    bool textures = std::ranges::all_of(
+        ports, [](const Port* port) { return port->kind == blocks::PortKind::kTexture; });
+    if (types.size() == 1 || textures) {
       Bind(target, input.argument, arguments[i]);
       continue;
     }

@@ -19,7 +19,9 @@ const int FLIP_BOTH = 3;
 /// outside the image, with antialiased edges.
 /// @source the brick shader generator, sections 3.1 and 3.2: parameters with a minimum and a
 ///   maximum for each element of a tile's template, and parents
-/// @param image what is drawn, from (0, 0) at its lower left corner to (1, 1); straight alpha
+/// @param image what is drawn, from (0, 0) at its lower left corner to (1, 1); straight alpha. A
+///   function of the graph may take `tile` as well, which is `inner`: its random bits are the
+///   element's own, so that no two elements need be alike
 /// @param tile where it is drawn: a tile of a grid, or the `inner` of a parent layer
 /// @param position_min left and lower limit of the centre's position, in tiles @default vec2(0.5)
 /// @param position_max right and upper limit of the centre's position, in tiles @default vec2(0.5)
@@ -49,7 +51,7 @@ const int FLIP_BOTH = 3;
 ///   its rotation alone
 /// @param inner_scale the tile scaled about its middle as the image is, for children that follow its
 ///   scale alone
-vec4 image(vec2 uv);
+vec4 image(vec2 uv, Tile tile);
 
 // The share of the pixel within its cell that the element covers, for each axis of the element.
 // Dividing by the share of the pixel that lies in the cell makes an element that fills its cell
@@ -122,7 +124,7 @@ void layer(Tile tile, vec2 position_min, vec2 position_max, vec2 scale, vec2 str
   inner_rotation.seed = seed;
   inner_scale =
       Tile(tile.cell, into * from_middle + 0.5, size * vec2(1.0, ratio) * tile.size, seed);
-  color = image(inner.local);
+  color = image(inner.local, inner);
   color.rgb *= tint;
   vec2 luck = random2(seed, -3);
   if (chance < 1.0 && luck.y >= chance) {

@@ -4,6 +4,7 @@
 // pixel, elements that fill their cell have no seam.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -413,6 +414,32 @@ TEST(LayerTest, GoesToItsMeanFromFarAway) {
     }
     before = seen;
   }
+}
+
+// A function of the graph gets the element's own tile: what it draws from it is what the inner tile
+// says.
+TEST(LayerTest, ImagesKnowTheirElement) {
+  const std::vector<Point> points = Scatter(200);
+  auto outputs = RunGraph(R"({"texgraph": 1,
+    "functions": {"mark": {"inputs": {"uv": "vec2", "tile": "Tile"}, "nodes": {
+        "number": {"block": "tile_random", "in": {"tile": "tile", "stream": 5}},
+        "c": {"block": "combine4", "in": {"x": "number"}}}, "outputs": {"color": "c"}}},
+    "nodes": {"grid": {"block": "brick_grid", "in": {"rows": 6, "columns": 3}},
+      "marked": {"block": "layer", "in": {"tile": "grid", "image": "mark"}},
+      "number": {"block": "tile_random", "in": {"tile": "marked.inner", "stream": 5}},
+      "wanted": {"block": "combine3", "in": {"x": "number"}}},
+    "outputs": {"color": "marked.color", "emission": "wanted"}})",
+                          points, {1e-4, 1e-4});
+  ASSERT_EQ(outputs.size(), 2u);
+  float low = 1, high = 0;
+  for (size_t i = 0; i < points.size(); ++i) {
+    const float seen = outputs["color"].Float(i, 0);
+    EXPECT_EQ(seen, outputs["emission"].Float(i, 0));
+    low = std::min(low, seen);
+    high = std::max(high, seen);
+  }
+  EXPECT_LT(low, 0.2);
+  EXPECT_GT(high, 0.8);
 }
 
 TEST(LayerTest, Fit) {

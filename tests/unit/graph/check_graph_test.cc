@@ -222,6 +222,15 @@ TEST(CheckGraph, WordsDoNotHideTypes) {
   EXPECT_THAT(check.NodeNames(), ElementsAre("n", "add"));
 }
 
+// A parameter of the word's name is not what is meant, whatever its type.
+TEST(CheckGraph, WordsGoBeforeNamesInOverloads) {
+  CheckText check(R"("parameters": { "add": { "type": "vec3", "value": [1, 2, 3] } },
+                     "nodes": { "n": { "block": "t_either", "in": { "x": 1, "mode": "add" } } })",
+                  R"("height": "n")");
+  ASSERT_TRUE(check.checked) << check.Messages();
+  EXPECT_EQ(check.NodeText(check.checked->main, "n"), "x=1.0:float mode=3:int");
+}
+
 TEST(CheckGraph, NodesComeAfterWhatTheyNeed) {
   CheckText check(R"("nodes": {
       "last": { "block": "t_gen", "in": { "a": "warp", "b": "a" } },

@@ -31,6 +31,17 @@ float t_need(float x) { return x; }
 /// @param b second
 genType t_gen(genType a, genType b) { return a + b; }
 )"},
+    {"t_either", R"(const int MODE_MIX = 0;
+const int MODE_ADD = 3;
+/// Picks a mode, in two versions.
+/// @param x a value @default 0
+/// @param mode how @default MODE_MIX
+float t_either(float x, const int mode) { return mode == MODE_ADD ? x : -x; }
+/// @param x a value @default 0
+/// @param y another value @default 0
+/// @param mode how @default MODE_MIX
+float t_either(float x, float y, const int mode) { return mode == MODE_ADD ? x : -y; }
+)"},
     {"t_pick", R"(const int MODE_MIX = 0;
 const int MODE_ADD = 3;
 /// Words.
