@@ -21,7 +21,7 @@ namespace texgraph {
 namespace {
 
 // The temporary files that exist, for the signal handler: it may only read atomics and call unlink.
-constexpr size_t kMaxTemporaries = 1024;
+constexpr size_t kMaxTemporaries = 10240;
 std::array<std::atomic<char*>, kMaxTemporaries> temporaries;
 std::atomic<int> renaming{0};        // threads that are between their first and last rename
 std::atomic<int> pending_signal{0};  // arrived meanwhile
@@ -47,6 +47,11 @@ class Renaming {
       EndBySignal(pending_signal.load());
   }
 };
+
+}  // namespace
+
+// Not unnamed, since OutputFiles::File holds them.
+namespace output_files {
 
 // A file beside `target`, removed again unless it was renamed.
 class Temporary {
@@ -117,6 +122,12 @@ struct Step {
   Temporary temporary;
   enum class State { kWaiting, kExchanged, kCreated, kReplaced } state = State::kWaiting;
 };
+
+}  // namespace output_files
+
+namespace {
+
+using output_files::Step;
 
 // Where `path` leads, also if the last link points to nothing yet.
 int FollowLinks(std::string path, std::string& target) {
@@ -198,41 +209,78 @@ void PutBack(Step& step) {
   }
 }
 
+void ReportFailure(const std::string& path, int error, Diagnostics& diagnostics) {
+  std::string shown = path == "-" ? "standard output" : fmt::format("'{}'", Printable(path));
+  diagnostics.Error(DiagnosticKind::kCannotWrite, {},
+                    fmt::format("cannot write {}: {}", shown,
+                                error == EISDIR ? "it is a folder" : ErrorText(error)));
+}
+
 }  // namespace
 
+struct OutputFiles::File {
+  std::string path;
+  std::string bytes;
+  bool is_staged = false;
+  Step step;
+};
+
+OutputFiles::OutputFiles() = default;
+
+OutputFiles::~OutputFiles() {
+  for (auto& file : files_) file->step.temporary.Remove();
+}
+
+void OutputFiles::Add(std::string path, std::string bytes) {
+  File& file = *files_.emplace_back(std::make_unique<File>());
+  file.path = std::move(path);
+  file.bytes = std::move(bytes);
+}
+
+bool OutputFiles::Stage(std::string path, std::string bytes, Diagnostics& diagnostics) {
+  Add(std::move(path), std::move(bytes));
+  File& file = *files_.back();
+  int error = Examine(file.path, file.step);
+  if (error == 0 && !file.step.direct) {
+    error = WriteTemporary(file.step, file.bytes);
+    file.bytes = std::string();
+  }
+  file.is_staged = true;
+  if (error != 0) ReportFailure(file.path, error, diagnostics);
+  return error == 0;
+}
+
 bool OutputFiles::Commit(Diagnostics& diagnostics) {
-  std::vector<Step> steps(files_.size());
-  auto fail = [&](size_t i, int error) {
-    for (Step& step : steps) step.temporary.Remove();
-    std::string shown =
-        files_[i].path == "-" ? "standard output" : fmt::format("'{}'", Printable(files_[i].path));
-    diagnostics.Error(DiagnosticKind::kCannotWrite, {},
-                      fmt::format("cannot write {}: {}", shown,
-                                  error == EISDIR ? "it is a folder" : ErrorText(error)));
+  auto fail = [&](const File& failed, int error) {
+    for (auto& file : files_) file->step.temporary.Remove();
+    ReportFailure(failed.path, error, diagnostics);
     return false;
   };
-  for (size_t i = 0; i < steps.size(); ++i) {
-    if (int error = Examine(files_[i].path, steps[i])) return fail(i, error);
+  for (auto& file : files_) {
+    if (file->is_staged) continue;
+    if (int error = Examine(file->path, file->step)) return fail(*file, error);
   }
-  for (size_t i = 0; i < steps.size(); ++i) {
-    if (steps[i].direct) continue;
-    if (int error = WriteTemporary(steps[i], files_[i].bytes)) return fail(i, error);
+  for (auto& file : files_) {
+    if (file->step.direct || file->is_staged) continue;
+    if (int error = WriteTemporary(file->step, file->bytes)) return fail(*file, error);
   }
-  for (size_t i = 0; i < steps.size(); ++i) {
-    if (!steps[i].direct) continue;
-    if (int error = WriteDirectly(files_[i].path, steps[i], files_[i].bytes)) return fail(i, error);
+  for (auto& file : files_) {
+    if (!file->step.direct) continue;
+    if (int error = WriteDirectly(file->path, file->step, file->bytes)) return fail(*file, error);
   }
   Renaming guard;
-  for (size_t i = 0; i < steps.size(); ++i) {
-    if (steps[i].direct) continue;
-    if (int error = PutInPlace(steps[i])) {
-      for (size_t done = i; done-- > 0;) PutBack(steps[done]);
-      return fail(i, error);
+  for (size_t i = 0; i < files_.size(); ++i) {
+    if (files_[i]->step.direct) continue;
+    if (int error = PutInPlace(files_[i]->step)) {
+      for (size_t done = i; done-- > 0;) PutBack(files_[done]->step);
+      return fail(*files_[i], error);
     }
   }
-  for (Step& step : steps) {
-    step.state == Step::State::kExchanged ? step.temporary.Remove() : step.temporary.Forget();
+  for (auto& file : files_) {
+    file->step.state == Step::State::kExchanged ? file->step.temporary.Remove()
+                                                : file->step.temporary.Forget();
   }
+  files_.clear();
   return true;
 }
 

@@ -5,7 +5,9 @@
 // exchange two files). A signal that ends the program removes the temporary files first.
 #pragma once
 
+#include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "compiler/base/diagnostics.h"
@@ -14,16 +16,19 @@ namespace texgraph {
 
 class OutputFiles {
  public:
-  OutputFiles() = default;
+  OutputFiles();
   OutputFiles(const OutputFiles&) = delete;
   OutputFiles& operator=(const OutputFiles&) = delete;
+  ~OutputFiles();
 
   // "-" is standard output. A symbolic link is followed; a device or a pipe (/dev/null) is written
   // to directly; the permissions of a file that is there are kept, those of a new one follow the
   // umask.
-  void Add(std::string path, std::string bytes) {
-    files_.push_back({std::move(path), std::move(bytes)});
-  }
+  void Add(std::string path, std::string bytes);
+  // The same for many files that are made one after the other: the temporary file is written at
+  // once and no bytes are kept (but those for standard output or a device). False, with
+  // kCannotWrite reported, if it could not be; Commit is then not to be called.
+  bool Stage(std::string path, std::string bytes, Diagnostics& diagnostics);
 
   // False, with kCannotWrite reported, if anything could not be written: then no file at any of the
   // paths has changed. (What went to standard output or to a device cannot be taken back; they are
@@ -31,11 +36,8 @@ class OutputFiles {
   bool Commit(Diagnostics& diagnostics);
 
  private:
-  struct File {
-    std::string path;
-    std::string bytes;
-  };
-  std::vector<File> files_;
+  struct File;
+  std::vector<std::unique_ptr<File>> files_;
 };
 
 // Writes all of `bytes` to an open descriptor; returns 0 or the error number.

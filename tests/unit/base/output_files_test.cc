@@ -64,6 +64,39 @@ TEST(OutputFiles, NewFilesAndReplacedFiles) {
   EXPECT_THAT(folder.Names(), ElementsAre("old.frag", "shader.json"));
 }
 
+TEST(OutputFiles, StagedFilesAppearAtTheCommit) {
+  ScratchFolder folder;
+  folder.Write("b", "old");
+  Diagnostics diagnostics;
+  {
+    OutputFiles files;
+    EXPECT_TRUE(files.Stage(folder / "a", "first", diagnostics));
+    EXPECT_TRUE(files.Stage(folder / "b", "second", diagnostics));
+    files.Add(folder / "c", "third");
+    EXPECT_EQ(folder.Read("b"), "old");
+    EXPECT_EQ(folder.Read("a"), "");
+    EXPECT_TRUE(files.Commit(diagnostics));
+  }
+  EXPECT_THAT(folder.Names(), ElementsAre("a", "b", "c"));
+  EXPECT_EQ(folder.Read("a") + folder.Read("b") + folder.Read("c"), "firstsecondthird");
+  EXPECT_FALSE(diagnostics.HasErrors());
+}
+
+TEST(OutputFiles, StagedFilesWithoutACommitLeaveNothing) {
+  ScratchFolder folder;
+  folder.Write("b", "old");
+  Diagnostics diagnostics;
+  {
+    OutputFiles files;
+    EXPECT_TRUE(files.Stage(folder / "a", "first", diagnostics));
+    EXPECT_TRUE(files.Stage(folder / "b", "second", diagnostics));
+    EXPECT_FALSE(files.Stage(folder / "missing/c", "third", diagnostics));
+  }
+  EXPECT_THAT(diagnostics.all()[0].message, HasSubstr("missing/c': no such file"));
+  EXPECT_THAT(folder.Names(), ElementsAre("b"));
+  EXPECT_EQ(folder.Read("b"), "old");
+}
+
 TEST(OutputFiles, NothingChangesWhenOneCannotBeWritten) {
   ScratchFolder folder;
   folder.Write("a", "old");
