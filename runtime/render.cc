@@ -169,7 +169,7 @@ void CollectFailure(const Job& job, const Child& child, Child::Event event) {
 }
 
 // Runs the jobs in one child until one fails hard. Returns how many have a result, at least one.
-size_t RunGroup(std::span<Job* const> jobs) {
+size_t RunGroup(std::span<Job* const> jobs, const std::function<void()>& on_result) {
   ContextOptions options = jobs[0]->request->context;
   for (;;) {
     Child child;
@@ -188,11 +188,13 @@ size_t RunGroup(std::span<Job* const> jobs) {
     while (done < jobs.size() &&
            (event = child.Wait(jobs[done]->request->timeout)) == Child::Event::kNotified) {
       Collect(*jobs[done++]);
+      if (on_result) on_result();
     }
     if (done == jobs.size()) return done;
     const bool opening = done == 0 && (*jobs[0]->shared).stage == Stage::kOpening;
     if (!opening || options.choice != ContextChoice::kAuto) {
       CollectFailure(*jobs[done], child, event);
+      if (on_result) on_result();
       return done + 1;
     }
     // EGL took the process with it; what is left is OSMesa.
@@ -205,7 +207,8 @@ size_t RunGroup(std::span<Job* const> jobs) {
 
 }  // namespace
 
-std::vector<RenderResult> RenderAll(std::span<const RenderRequest> requests) {
+std::vector<RenderResult> RenderAll(std::span<const RenderRequest> requests,
+                                    const std::function<void()>& on_result) {
   std::vector<RenderResult> results(requests.size());
   size_t next = 0;
   while (next < requests.size()) {
@@ -231,7 +234,7 @@ std::vector<RenderResult> RenderAll(std::span<const RenderRequest> requests) {
       jobs.push_back(std::move(job));
     }
     for (size_t done = 0; done < group.size();) {
-      done += RunGroup(std::span<Job* const>(group).subspan(done));
+      done += RunGroup(std::span<Job* const>(group).subspan(done), on_result);
     }
   }
   return results;

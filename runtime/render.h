@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -82,7 +83,9 @@ struct RenderResult {
 
 RenderResult Render(const RenderRequest& request);
 // The same for many in as few processes as can be; a failure concerns its own request only.
-std::vector<RenderResult> RenderAll(std::span<const RenderRequest> requests);
+// `on_result` is called, on this thread, whenever a request has been drawn or has failed there.
+std::vector<RenderResult> RenderAll(std::span<const RenderRequest> requests,
+                                    const std::function<void()>& on_result = {});
 
 // Reads the images that the manifest's used textures name, relative to `folder`, from inside
 // `roots`. False with what is wrong in `diagnostics`.

@@ -10,7 +10,7 @@ namespace texgraph::cli {
 inline constexpr std::string_view kTexgraphHelp = R"(usage: texgraph COMMAND [options] ...
 
 Commands
-  render                draw a texture graph or a compiled shader to a PNG file
+  render                draw a texture graph or a compiled shader to PNG or OpenEXR files
 
 'texgraph COMMAND --help' lists a command's options.
 
@@ -20,16 +20,24 @@ Commands
 
 inline constexpr std::string_view kRenderHelp = R"(usage: texgraph render [options] INPUT -o FILE
 
-Draws a texture graph (JSON, JSONC or YAML), or a shader by its manifest, to a PNG file, without a window.
+Draws a texture graph (JSON, JSONC or YAML), or a shader by its manifest, without a window.
 '-' reads a graph from standard input.
 
 Picture
-  -o FILE               write the picture to FILE, '-' for standard output
+  -o FILE               write the picture to FILE (.png or .exr), '-' for standard output
+  --format FORMAT       png or exr, whatever the file is called (default: by its extension; png without one)
   --size SIZE           WxH, or N for a square, in pixels (default: 512)
   --uv U0,V0,U1,V1      the part of texture space to draw: left, bottom, right, top (default: 0,0,1,1)
   --output NAME         the graph's output to draw (default: color, or the first one)
-  --bits N              8 (default) or 16 bits for each channel
+  --bits N              for each channel: PNG 8 (default) or 16, OpenEXR 16 (half, default) or 32 (float)
   --time T              the value of the input 'time', in seconds (default: 0)
+
+Several pictures
+  --frames N            draw N frames (up to 9999) to numbered files: FILE.0001.png and so on
+  --time T0,T1          let the time go from T0 to T1, which the frame after the last would have
+  --sweep NAME[=A,B]    let a uniform parameter go from one end of its range, or from A, to the other, or B
+  --contact-sheet       one picture of all outputs in a grid; with --sweep or --time T0,T1, of the frames
+                        (default: 9); --size is the size of one
 
 Graph
   --set NAME=VALUE      give a parameter another value; may be repeated
@@ -43,7 +51,7 @@ Driver
 
 Messages
   --color WHEN          auto (default), always or never
-  -q                    don't say how the picture was made
+  -q                    don't say how the picture was made, and show no progress
   -h, --help            print this, and exit
 
 Exit codes: 0 done, 1 the graph is wrong, 2 the command line is wrong, 3 a file cannot be read or written, 4 a

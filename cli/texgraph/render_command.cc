@@ -3,102 +3,32 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "cli/texgraph/contact_sheet.h"
+#include "cli/texgraph/load_shader.h"
+#include "cli/texgraph/progress.h"
+#include "cli/texgraph/sequence.h"
 #include "compiler/base/files.h"
 #include "compiler/base/output_files.h"
-#include "compiler/graph/document.h"
 #include "compiler/textures/image.h"
-#include "runtime/manifest.h"
+#include "runtime/exr.h"
 #include "runtime/render.h"
 
 namespace texgraph::cli {
 namespace {
 
-constexpr size_t kMaxShaderBytes = size_t{64} << 20;
-
-// A shader to draw, wherever it came from.
-struct Shader {
-  std::string text;
-  runtime::Manifest manifest;
-  std::string folder;               // that the manifest's paths start from
-  std::vector<std::string> inputs;  // all files that were read
-};
-
-std::string ReadInput(const std::string& path, Diagnostics& diagnostics) {
-  auto text = path == "-" ? ReadStandardInput(graph::kMaxDocumentBytes, diagnostics)
-                          : ReadFile(path, graph::kMaxDocumentBytes, {}, diagnostics);
-  return text ? std::move(*text) : "";
-}
-
-bool ReadShaderFile(const graph::Document& document, const RenderOptions& options, Sources& sources,
-                    Shader& shader, Diagnostics& diagnostics) {
-  auto manifest = runtime::ReadManifest(document, diagnostics);
-  if (!manifest ||
-      !runtime::ApplySettings(options.compile.settings, sources, *manifest, diagnostics))
-    return false;
-  shader.manifest = std::move(*manifest);
-  if (shader.manifest.dialect == runtime::ShaderDialect::kSpirv)
-    return true;  // refused later, with a reason
-  const std::string path = JoinPath(shader.folder, shader.manifest.shader);
-  if (!Roots(options.compile.roots, diagnostics).Contain(path)) {
-    diagnostics.Error(
-        DiagnosticKind::kOutsideRoot, {},
-        fmt::format("shader '{}' is outside of the folders that --root allows", Printable(path)));
+void AddTextureInputs(Shader& shader) {
+  for (const runtime::ManifestTexture& texture : shader.manifest.textures) {
+    for (const std::string& file : texture.files)
+      shader.inputs.push_back(JoinPath(shader.folder, file));
   }
-  if (diagnostics.HasErrors()) return false;
-  auto text = ReadFile(path, kMaxShaderBytes, {}, diagnostics);
-  if (!text) return false;
-  shader.text = std::move(*text);
-  shader.inputs.push_back(path);
-  return true;
-}
-
-bool CompileGraphShader(SourceId source, graph::DocumentFormat format, const RenderOptions& options,
-                        Sources& sources, Shader& shader, Diagnostics& diagnostics) {
-  CompileOptions compile = options.compile;
-  compile.manifest_folder = shader.folder;
-  auto compiled = Compile(source, format, compile, sources, diagnostics);
-  if (!compiled || diagnostics.HasErrors()) return false;
-  const SourceId made = sources.Add("<manifest>", std::move(compiled->manifest));
-  const auto document =
-      graph::ReadDocument(made, graph::DocumentFormat::kJson, sources, diagnostics);
-  auto manifest = document ? runtime::ReadManifest(*document, diagnostics) : std::nullopt;
-  if (!manifest) return false;
-  shader.manifest = std::move(*manifest);
-  shader.text = std::move(compiled->glsl);
-  shader.inputs.insert(shader.inputs.end(), compiled->dependencies.begin(),
-                       compiled->dependencies.end());
-  return true;
-}
-
-bool LoadShader(const RenderOptions& options, Sources& sources, Shader& shader,
-                Diagnostics& diagnostics) {
-  std::string text = ReadInput(options.input, diagnostics);
-  if (diagnostics.HasErrors()) return false;
-  const bool standard_input = options.input == "-";
-  if (!standard_input) shader.inputs.push_back(options.input);
-  shader.folder = standard_input ? "" : std::string(FolderOf(options.input));
-  const graph::DocumentFormat format = graph::FormatOf(options.input, text);
-  const SourceId source = sources.Add(standard_input ? "<stdin>" : options.input, std::move(text));
-  // Only a JSON text can be a manifest; what is wrong with it as a document is said by whoever
-  // reads it in earnest.
-  if (format == graph::DocumentFormat::kJson &&
-      sources.Text(source).find("\"texgraph_manifest\"") != std::string_view::npos) {
-    Diagnostics trial;
-    const auto document = graph::ReadDocument(source, format, sources, trial);
-    if (document && runtime::IsManifest(*document)) {
-      return ReadShaderFile(*document, options, sources, shader, diagnostics);
-    }
-  }
-  return CompileGraphShader(source, format, options, sources, shader, diagnostics);
 }
 
 // A picture never replaces what it was made from.
-bool CheckOutput(const std::string& output, const Shader& shader, Diagnostics& diagnostics) {
+bool CheckOutput(const std::string& output, const std::vector<std::string>& inputs,
+                 Diagnostics& diagnostics) {
   if (output == "-") return true;
-  std::vector<std::string> inputs = shader.inputs;
-  for (const runtime::ManifestTexture& texture : shader.manifest.textures) {
-    for (const std::string& file : texture.files) inputs.push_back(JoinPath(shader.folder, file));
-  }
   for (const std::string& input : inputs) {
     if (AbsolutePath(input) != AbsolutePath(output) && !SameFile(input, output)) continue;
     diagnostics.Error(
@@ -107,6 +37,11 @@ bool CheckOutput(const std::string& output, const Shader& shader, Diagnostics& d
     return false;
   }
   return true;
+}
+
+runtime::PixelFormat PixelsFor(const RenderOptions& options) {
+  if (options.format == PictureFormat::kExr) return runtime::PixelFormat::kFloat;
+  return options.bits == 16 ? runtime::PixelFormat::kImage16 : runtime::PixelFormat::kImage8;
 }
 
 runtime::RenderRequest RequestFor(const RenderOptions& options, Shader& shader) {
@@ -118,8 +53,11 @@ runtime::RenderRequest RequestFor(const RenderOptions& options, Shader& shader) 
   request.window = options.window;
   request.time = options.time;
   if (!options.output_name.empty()) request.outputs = {options.output_name};
-  request.format =
-      options.bits == 16 ? runtime::PixelFormat::kImage16 : runtime::PixelFormat::kImage8;
+  if (options.contact_sheet && options.frames == 0) {
+    for (const runtime::ManifestOutput& output : request.manifest.outputs)
+      request.outputs.push_back(output.name);
+  }
+  request.format = PixelsFor(options);
   request.context.choice = options.context;
   request.timeout = options.timeout;
   return request;
@@ -144,40 +82,195 @@ void ReportRefusedShader(const std::string& output, const std::string& shader,
     error.AddNote({}, fmt::format("the shader was kept in '{}'", Printable(path)));
 }
 
+// Everything that is drawn in a run, from the first request to the files.
+class Drawing {
+ public:
+  Drawing(const RenderOptions& options, const Shader& shader, runtime::RenderRequest request,
+          Diagnostics& diagnostics)
+      : options_(options),
+        shader_(shader),
+        request_(std::move(request)),
+        diagnostics_(diagnostics) {}
+
+  // False, with what is wrong reported: then no file has changed.
+  bool Run() {
+    if (!Prepare()) return false;
+    const uint32_t total = std::max(1u, options_.frames);
+    {
+      Progress progress(total, !options_.quiet);
+      for (uint32_t next = 0; next < total;) {
+        const uint32_t end = std::min(total, next + BatchSize());
+        if (!DrawFrames(next, end, progress)) return false;
+        next = end;
+      }
+    }
+    if (layout_ && !WriteSheet()) return false;
+    ReportNan();
+    return files_.Commit(diagnostics_);
+  }
+
+  std::string Message() const {
+    const bool numbered = options_.frames > 0 && !layout_;
+    std::string text = numbered
+                           ? fmt::format("{} to {}", Printable(FramePath(options_.output, 1)),
+                                         Printable(FramePath(options_.output, options_.frames)))
+                           : Printable(options_.output);
+    text += fmt::format(": {}", names_);
+    if (layout_) text += fmt::format(" in {} columns and {} rows", layout_->columns, layout_->rows);
+    text += fmt::format(" of {} x {} pixels, drawn by {}\n", options_.width, options_.height,
+                        Printable(context_));
+    if (!context_note_.empty()) text += Printable(context_note_) + "\n";
+    return text;
+  }
+
+ private:
+  bool Prepare() {
+    if (options_.sweep) {
+      sweep_ = FindSweep(*options_.sweep, request_.manifest, diagnostics_);
+      if (!sweep_) return false;
+    }
+    if (options_.contact_sheet) {
+      const size_t cells = options_.frames > 0 ? options_.frames : request_.outputs.size();
+      layout_ = LayOutSheet(static_cast<uint32_t>(std::max<size_t>(cells, 1)), options_.width,
+                            options_.height, request_.format, diagnostics_);
+      if (!layout_) return false;
+    }
+    if (options_.frames == 0 || layout_)
+      return CheckOutput(options_.output, shader_.inputs, diagnostics_);
+    for (uint32_t number = 1; number <= options_.frames; ++number) {
+      if (!CheckOutput(FramePath(options_.output, number), shader_.inputs, diagnostics_))
+        return false;
+    }
+    return true;
+  }
+
+  // So many frames that opening a context for them is nothing, and so few that they fit into
+  // memory.
+  uint32_t BatchSize() const {
+    const size_t bytes = size_t{options_.width} * options_.height * 4 * sizeof(float);
+    return static_cast<uint32_t>(std::clamp<size_t>((size_t{64} << 20) / bytes, 1, 64));
+  }
+
+  bool DrawFrames(uint32_t first, uint32_t end, Progress& progress) {
+    std::vector<runtime::RenderRequest> requests(end - first, request_);
+    if (options_.frames > 0) {
+      for (uint32_t i = first; i < end; ++i) SetFrame(options_, sweep_, i, requests[i - first]);
+    }
+    std::vector<runtime::RenderResult> results =
+        runtime::RenderAll(requests, [&progress] { progress.Advance(); });
+    for (uint32_t i = first; i < end; ++i) {
+      if (!TakeResult(i, results[i - first])) return false;
+    }
+    return true;
+  }
+
+  bool TakeResult(uint32_t frame, runtime::RenderResult& result) {
+    if (!result.ok()) {
+      const Diagnostic& first = result.diagnostics.all().front();
+      if (first.kind == DiagnosticKind::kDriverCompile) {
+        ReportRefusedShader(options_.output, request_.shader, first, diagnostics_);
+      } else {
+        diagnostics_.Append(std::move(result.diagnostics));
+      }
+      return false;
+    }
+    if (frame == 0) {
+      context_ = result.context;
+      context_note_ = result.context_note;
+      for (const runtime::RenderedOutput& output : result.outputs)
+        names_ += (names_.empty() ? "" : ", ") + output.name;
+      if (options_.frames > 0) names_ += fmt::format(", {} frames,", options_.frames);
+    }
+    CountNan(result);
+    for (runtime::RenderedOutput& output : result.outputs) {
+      if (layout_) {
+        cells_.push_back(std::move(output));
+      } else if (!Stage(
+                     options_.frames > 0 ? FramePath(options_.output, frame + 1) : options_.output,
+                     output)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  // One warning for all frames.
+  void CountNan(const runtime::RenderResult& result) {
+    bool has_nan = false;
+    for (const runtime::RenderedOutput& output : result.outputs)
+      has_nan = has_nan || output.nan_pixels > 0;
+    if (!has_nan) return;
+    if (nan_frames_++ == 0) nan_warnings_ = result.diagnostics;
+  }
+
+  void ReportNan() {
+    if (nan_frames_ == 0) return;
+    diagnostics_.Append(std::move(nan_warnings_));
+    if (nan_frames_ > 1) {
+      diagnostics_.Warn(DiagnosticKind::kNanPixels, {},
+                        fmt::format("{} of {} frames have NaN pixels; the first was told of",
+                                    nan_frames_, options_.frames));
+    }
+  }
+
+  bool WriteSheet() {
+    runtime::RenderedOutput sheet;
+    if (DrawSheet(*layout_, cells_, sheet))
+      return Stage(options_.output, sheet, layout_->width, layout_->height);
+    ReportMemory();
+    return false;
+  }
+
+  bool Stage(const std::string& path, const runtime::RenderedOutput& output) {
+    return Stage(path, output, options_.width, options_.height);
+  }
+
+  bool Stage(const std::string& path, const runtime::RenderedOutput& output, uint32_t width,
+             uint32_t height) {
+    const auto depth = options_.bits == 32 ? runtime::ExrDepth::kFloat : runtime::ExrDepth::kHalf;
+    auto bytes = options_.format == PictureFormat::kExr
+                     ? runtime::EncodeExr(output.floats, width, height, output.channels, depth)
+                     : textures::EncodePng(output.image);
+    if (bytes) return files_.Stage(path, std::move(*bytes), diagnostics_);
+    ReportMemory();
+    return false;
+  }
+
+  void ReportMemory() {
+    diagnostics_.Error(DiagnosticKind::kOutOfMemory, {},
+                       "there is not enough memory to write the picture");
+  }
+
+  const RenderOptions& options_;
+  const Shader& shader_;
+  runtime::RenderRequest request_;
+  Diagnostics& diagnostics_;
+  std::optional<FoundSweep> sweep_;
+  std::optional<SheetLayout> layout_;
+  std::vector<runtime::RenderedOutput> cells_;
+  OutputFiles files_;
+  std::string names_;
+  std::string context_;
+  std::string context_note_;
+  Diagnostics nan_warnings_;
+  uint32_t nan_frames_ = 0;
+};
+
 }  // namespace
 
 void RunRender(const RenderOptions& options, Sources& sources, Diagnostics& diagnostics,
                std::string& message) {
   Shader shader;
   if (!LoadShader(options, sources, shader, diagnostics)) return;
-  if (!CheckOutput(options.output, shader, diagnostics)) return;
+  AddTextureInputs(shader);
   std::vector<runtime::TextureBinding> textures;
   const Roots roots(options.compile.roots, diagnostics);
+  if (!CheckOutput(options.output, shader.inputs, diagnostics)) return;
   if (!runtime::LoadTextures(shader.manifest, shader.folder, textures, diagnostics, roots)) return;
   runtime::RenderRequest request = RequestFor(options, shader);
   request.textures = std::move(textures);
-  runtime::RenderResult result = runtime::Render(request);
-  const bool drawn = result.ok();
-  if (!drawn && result.diagnostics.all().front().kind == DiagnosticKind::kDriverCompile) {
-    ReportRefusedShader(options.output, request.shader, result.diagnostics.all().front(),
-                        diagnostics);
-  } else {
-    diagnostics.Append(std::move(result.diagnostics));
-  }
-  if (!drawn) return;
-  auto bytes = textures::EncodePng(result.outputs[0].image);
-  if (!bytes) {
-    diagnostics.Error(DiagnosticKind::kOutOfMemory, {},
-                      "there is not enough memory to write the picture");
-    return;
-  }
-  OutputFiles files;
-  files.Add(options.output, std::move(*bytes));
-  if (!files.Commit(diagnostics)) return;
-  message =
-      fmt::format("{}: {} of {} x {} pixels, drawn by {}\n", Printable(options.output),
-                  result.outputs[0].name, options.width, options.height, Printable(result.context));
-  if (!result.context_note.empty()) message += Printable(result.context_note) + "\n";
+  Drawing drawing(options, shader, std::move(request), diagnostics);
+  if (drawing.Run()) message = drawing.Message();
 }
 
 }  // namespace texgraph::cli

@@ -6,10 +6,11 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <string_view>
 
 #include "cli/texgraph/help.h"
+#include "cli/texgraph/option_values.h"
+#include "cli/texgraph/sequence_options.h"
 
 namespace texgraph::cli {
 namespace {
@@ -18,55 +19,19 @@ namespace {
 struct Raw {
   std::string size = "512";
   std::string window = "0,0,1,1";
-  std::string bits = "8";
-  std::string time = "0";
   std::string timeout = "60";
   std::string target = "glsl330";
   std::string context = "auto";
   std::string color = "auto";
+  SequenceTexts sequence;
   std::vector<std::string> inputs;
   bool help = false;
 };
 
-constexpr std::string_view kTargets[] = {"glsl330", "glsl450"};
-constexpr std::string_view kContexts[] = {"auto", "egl", "osmesa"};
-constexpr std::string_view kColors[] = {"auto", "always", "never"};
-constexpr std::string_view kBits[] = {"8", "16"};
 constexpr std::string_view kLongOptions[] = {
-    "--size", "--uv",     "--output",  "--bits",    "--root",  "--time",   "--set",
-    "--help", "--target", "--context", "--timeout", "--color", "--version"};
-
-void Usage(Diagnostics& diagnostics, std::string message) {
-  diagnostics.Error(DiagnosticKind::kUsage, {}, std::move(message))
-      .AddNote({}, "'texgraph render --help' lists the options");
-}
-
-template <class T>
-bool ReadNumber(std::string_view text, T& value) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && end == text.data() + text.size();
-}
-
-template <size_t N>
-uint32_t ReadWord(std::string_view option, std::string_view seen,
-                  const std::string_view (&words)[N], Diagnostics& diagnostics) {
-  std::string all;
-  for (uint32_t i = 0; i < N; ++i) {
-    if (words[i] == seen) return i;
-    all += fmt::format("{}{}", i == 0 ? "" : i + 1 == N ? " or " : ", ", words[i]);
-  }
-  const std::vector<std::string_view> names(words, words + N);
-  Usage(diagnostics, fmt::format("{} takes {}, got '{}'{}", option, all, Printable(seen),
-                                 DidYouMean(seen, names)));
-  return 0;
-}
-
-void ReadSeconds(std::string_view option, std::string_view text, double& value,
-                 Diagnostics& diagnostics) {
-  if (ReadNumber(text, value)) return;
-  Usage(diagnostics,
-        fmt::format("{} takes a number of seconds, got '{}'", option, Printable(text)));
-}
+    "--size",    "--uv",      "--output", "--format", "--bits",  "--time",   "--sweep",
+    "--frames",  "--root",    "--set",    "--help",   "--color", "--target", "--contact-sheet",
+    "--context", "--timeout", "--version"};
 
 // A side beyond what any picture may have is a limit, as where it is drawn; anything but a number
 // is a mistake.
@@ -126,8 +91,11 @@ void Declare(CLI::App& app, RenderOptions& options, Raw& raw) {
   text("--size", raw.size);
   text("--uv", raw.window);
   text("--output", options.output_name);
-  text("--bits", raw.bits);
-  text("--time", raw.time);
+  text("--format", raw.sequence.format);
+  text("--bits", raw.sequence.bits);
+  text("--time", raw.sequence.time);
+  text("--sweep", raw.sequence.sweep);
+  text("--frames", raw.sequence.frames);
   text("--timeout", raw.timeout);
   text("--target", raw.target);
   text("--context", raw.context);
@@ -135,6 +103,7 @@ void Declare(CLI::App& app, RenderOptions& options, Raw& raw) {
   list("--set", options.compile.settings);
   list("-I", options.compile.block_folders);
   list("--root", options.compile.roots);
+  app.add_flag("--contact-sheet", options.contact_sheet);
   app.add_flag("-q", options.quiet);
   app.add_flag("-h,--help", raw.help);
   app.add_option("inputs", raw.inputs);
@@ -146,7 +115,7 @@ std::vector<std::string> Arguments(int argc, const char* const* argv) {
   for (int i = 2; i < argc; ++i) {
     const std::string_view argument = argv[i];
     const bool number = argument == "--uv" || argument == "--time" || argument == "--timeout" ||
-                        argument == "--size";
+                        argument == "--size" || argument == "--frames";
     if (number && i + 1 < argc) {
       arguments.push_back(fmt::format("{}={}", argument, argv[++i]));
     } else {
@@ -176,15 +145,14 @@ void CheckRender(const CLI::App& app, const Raw& raw, RenderOptions& options,
     Usage(diagnostics, fmt::format("unknown option '{}'{}", Printable(extra),
                                    DidYouMean(extra.substr(0, extra.find('=')), names)));
   }
-  const uint32_t color = ReadWord("--color", raw.color, kColors, diagnostics);
+  const uint32_t color = ReadWord("--color", raw.color, {"auto", "always", "never"}, diagnostics);
   options.color = color == 1 || (color == 0 && TakesColor());
-  options.compile.target = ReadWord("--target", raw.target, kTargets, diagnostics) == 0
-                               ? Target::kGlsl330
-                               : Target::kGlsl450;
+  options.compile.target =
+      ReadWord("--target", raw.target, {"glsl330", "glsl450"}, diagnostics) == 0 ? Target::kGlsl330
+                                                                                 : Target::kGlsl450;
   options.context = static_cast<runtime::ContextChoice>(
-      ReadWord("--context", raw.context, kContexts, diagnostics));
-  options.bits = ReadWord("--bits", raw.bits, kBits, diagnostics) == 0 ? 8 : 16;
-  ReadSeconds("--time", raw.time, options.time, diagnostics);
+      ReadWord("--context", raw.context, {"auto", "egl", "osmesa"}, diagnostics));
+  ReadSequenceOptions(raw.sequence, options, diagnostics);
   ReadSeconds("--timeout", raw.timeout, options.timeout, diagnostics);
   ReadSize(raw.size, options, diagnostics);
   ReadWindow(raw.window, options, diagnostics);

@@ -14,15 +14,31 @@
 
 namespace texgraph::cli {
 
+enum class PictureFormat : uint8_t { kPng, kExr };
+
+// Files of frames have numbers of four digits.
+inline constexpr uint32_t kMaxFrames = 9999;
+
+// A parameter that goes over its range, or over `range`, both ends included.
+struct Sweep {
+  std::string name;
+  std::optional<std::array<double, 2>> range;
+};
+
 struct RenderOptions {
   std::string input;   // a graph or a manifest; "-" is a graph on standard input
-  std::string output;  // the PNG file, or "-"
+  std::string output;  // the picture, or "-"
+  PictureFormat format = PictureFormat::kPng;
   uint32_t width = 512;
   uint32_t height = 512;
   std::array<double, 4> window = {0, 0, 1, 1};
   std::string output_name;  // "": color, or the first
-  uint8_t bits = 8;
+  uint8_t bits = 8;         // PNG 8 or 16; OpenEXR 16 or 32, floating point
   double time = 0;
+  std::optional<double> end_time;  // not reached: the frame after the last would have it
+  std::optional<Sweep> sweep;
+  uint32_t frames = 0;         // 0 if neither the time nor a parameter varies
+  bool contact_sheet = false;  // of the frames, or of all outputs if there are none
   double timeout = 60;
   runtime::ContextChoice context = runtime::ContextChoice::kAuto;
   CompileOptions compile;

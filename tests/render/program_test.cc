@@ -213,7 +213,7 @@ TEST_F(TexgraphTest, HelpAndDocumentsNameTheSameOptions) {
   const std::string help(cli::kRenderHelp);
   std::ifstream file(TEXGRAPH_SOURCE_DIR "/docs/rendering.md");
   const std::string document((std::istreambuf_iterator<char>(file)), {});
-  const std::regex option("--[a-z]+|-[a-zA-Z]\\b");
+  const std::regex option("--[a-z]+(-[a-z]+)*|-[a-zA-Z]\\b");
   const auto options = [&](const std::string& text, const std::string& from,
                            const std::string& to) {
     const size_t begin = text.find(from);
@@ -251,7 +251,7 @@ TEST_F(TexgraphTest, WrongCommandLines) {
   }
   ExpectFailure({"plain.json", "--context", "glx"}, 2, "--context takes auto, egl or osmesa");
   ExpectFailure({"plain.json", "--target", "spirv"}, 2, "--target takes glsl330 or glsl450");
-  ExpectFailure({"plain.json", "--bits", "12"}, 2, "--bits takes 8 or 16");
+  ExpectFailure({"plain.json", "--bits", "12"}, 2, "--bits takes 8, 16 or 32");
   ExpectFailure({"plain.json", "--timeout", "0"}, 2, "the time limit");
   ExpectFailure({"plain.json", "--timeout", "soon"}, 2, "--timeout takes a number of seconds");
   ExpectFailure({"plain.json", "--time", "inf"}, 2, "the time is a finite number");
@@ -286,7 +286,7 @@ TEST_F(TexgraphTest, FunctionsAndModulesAreNotRendered) {
 
 TEST_F(TexgraphTest, NeverWritesOverItsInputs) {
   for (const char* output : {"made.json", "made.frag", "./made.json"}) {
-    const Outcome outcome = Run({"render", "made.json", "-o", output});
+    const Outcome outcome = Run({"render", "made.json", "-o", output, "--format", "png"});
     EXPECT_EQ(outcome.exit_code, 2) << output;
     EXPECT_THAT(outcome.error, HasSubstr("it is one of the files that are read"));
   }
