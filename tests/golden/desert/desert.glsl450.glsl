@@ -129,13 +129,6 @@ float desert_circle_lit(vec2 uv, vec2 center, float radius, float softness, vec2
   return clamp((radius - from_center) / width + 0.5, 0.0, 1.0);
 }
 
-// over (layers/over.glsl)
-vec4 desert_over(vec4 foreground, vec4 background) {
-  float alpha = 1.0 - (1.0 - foreground.w) * (1.0 - background.w);
-  vec3 blend = mix(background.xyz, foreground.xyz, foreground.w / max(alpha, 1e-20));
-  return vec4(blend, alpha);
-}
-
 // rock (function of the graph)
 vec4 desert_rock(vec2 uv, desert_Tile tile, vec2 uv_dx, vec2 uv_dy) {
   // x: tile_random (tiles/tile_random.glsl)
@@ -160,8 +153,6 @@ vec4 desert_rock(vec2 uv, desert_Tile tile, vec2 uv_dx, vec2 uv_dy) {
   float shadow = desert_circle_lit(uv, vec2(0.55, 0.45), radius, 0.1, uv_dx, uv_dy);
   // shadow_alpha: multiply (math/multiply.glsl)
   float shadow_alpha = shadow * 0.55;
-  // ground: rgba (channels/rgba.glsl)
-  vec4 ground = vec4(0.07, 0.045, 0.03, shadow_alpha);
   // rough: lerp (math/lerp.glsl)
   float rough = mix(bumps, grains, 0.55);
   // dark: remap (math/remap.glsl)
@@ -172,10 +163,10 @@ vec4 desert_rock(vec2 uv, desert_Tile tile, vec2 uv_dx, vec2 uv_dy) {
   float tone = dark * light;
   // stone_rgb: multiply (math/multiply.glsl)
   vec3 stone_rgb = tone * vec3(1.0, 0.86, 0.74);
-  // stone: rgba (channels/rgba.glsl)
-  vec4 stone = vec4(stone_rgb, shape);
   // whole: over (layers/over.glsl)
-  vec4 whole = desert_over(stone, ground);
+  float blend = mix(shadow_alpha, 1.0, shape);
+  vec3 blend2 = mix(vec3(0.07, 0.045, 0.03), stone_rgb, shape / max(blend, 1e-20));
+  vec4 whole = vec4(blend2, blend);
   return whole;
 }
 
@@ -424,8 +415,6 @@ vec4 desert(vec2 uv) {
   float light = sand_tone * far_tone;
   // sand_rgb: multiply (math/multiply.glsl)
   vec3 sand_rgb = sand * light;
-  // ground: rgba (channels/rgba.glsl)
-  vec4 ground = vec4(sand_rgb, 1.0);
   // stone_grid: brick_grid (tiles/brick_grid.glsl)
   desert_Tile stone_grid;
   vec2 stone_grid_local_dx, stone_grid_local_dy;
@@ -459,10 +448,10 @@ vec4 desert(vec2 uv) {
   vec4 rocks_color = desert_layer_rocks(rock_grid, rock_tint, rock_grid_local_dx,
       rock_grid_local_dy);
   // with_stones: over (layers/over.glsl)
-  vec4 with_stones = desert_over(stones_color, ground);
+  vec3 blend = mix(sand_rgb, stones_color.xyz, stones_color.w);
   // with_grass: over (layers/over.glsl)
-  vec4 with_grass = desert_over(tufts_color, with_stones);
+  vec3 blend2 = mix(blend, tufts_color.xyz, tufts_color.w);
   // desert: over (layers/over.glsl)
-  vec4 desert2 = desert_over(rocks_color, with_grass);
+  vec4 desert2 = vec4(mix(blend2, rocks_color.xyz, rocks_color.w), 1.0);
   return desert2;
 }
