@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-const int ROUNDS = 8;
+const int ROUNDS = 12;
 
 /// The distance from a curve with one control point (a quadratic Bézier), drawn as a stroke with
 /// round ends; below 0 inside.

@@ -251,6 +251,17 @@ TEST(ShapeTest, TriangleWithoutAnInside) {
   }
 }
 
+Line Quadratic(const Line& controls) {
+  constexpr int kSteps = 4000;
+  Line line;
+  for (int i = 0; i <= kSteps; ++i) {
+    double t = static_cast<double>(i) / kSteps, u = 1 - t;
+    line.push_back({u * u * controls[0].x + 2 * u * t * controls[1].x + t * t * controls[2].x,
+                    u * u * controls[0].y + 2 * u * t * controls[1].y + t * t * controls[2].y});
+  }
+  return line;
+}
+
 TEST(ShapeTest, QuadraticCurve) {
   const Point a = {0.2, 0.3}, c = {0.8, 0.4}, middle = {0.5, 0.35};
   std::vector<Line> curves = {{a, {0.5, 1.2}, c},
@@ -271,12 +282,7 @@ TEST(ShapeTest, QuadraticCurve) {
     curves.push_back({a, {a.x - off, a.y + off}, a});
   }
   for (const Line& curve : curves) {
-    Line line;
-    for (int i = 0; i <= 4000; ++i) {
-      double t = i / 4000.0, u = 1 - t;
-      line.push_back({u * u * curve[0].x + 2 * u * t * curve[1].x + t * t * curve[2].x,
-                      u * u * curve[0].y + 2 * u * t * curve[1].y + t * t * curve[2].y});
-    }
+    Line line = Quadratic(curve);
     SCOPED_TRACE(testing::Message() << curve[1].x << " " << curve[1].y);
     ExpectDistances("sdf_quadratic_curve",
                     {{"a", Spot(curve[0].x, curve[0].y)},
@@ -284,6 +290,39 @@ TEST(ShapeTest, QuadraticCurve) {
                      {"c", Spot(curve[2].x, curve[2].y)},
                      {"width", Floats({0.1})}},
                     [&](Point p) { return FromLine(line, p) - 0.05; });
+  }
+}
+
+// Where the nearest point is a double or threefold root, which Newton's method comes to slowly.
+TEST(ShapeTest, QuadraticCurveAtCentresOfCurvature) {
+  for (const Line& curve : {Line{{0.2, 0.3}, {0.5, 1.2}, {0.8, 0.4}},
+                            Line{{-0.662, -0.579}, {1.965, 1.455}, {-0.557, -0.697}},
+                            Line{{0.109, 1.892}, {0.6, -0.5}, {0.2, 0.5}},
+                            Line{{0.422, 1.819}, {-0.262, -0.529}, {0.384, 1.834}}}) {
+    double bend_x = 2 * (curve[0].x - 2 * curve[1].x + curve[2].x);
+    double bend_y = 2 * (curve[0].y - 2 * curve[1].y + curve[2].y);
+    std::vector<Point> points;
+    for (int i = 0; i <= 500; ++i) {
+      double t = i / 500.0, u = 1 - t;
+      double x = 2 * (curve[1].x - curve[0].x) + t * bend_x;
+      double y = 2 * (curve[1].y - curve[0].y) + t * bend_y;
+      double radii = (x * x + y * y) / (x * bend_y - y * bend_x);
+      points.push_back(
+          {u * u * curve[0].x + 2 * u * t * curve[1].x + t * t * curve[2].x - radii * y,
+           u * u * curve[0].y + 2 * u * t * curve[1].y + t * t * curve[2].y + radii * x});
+    }
+    Values seen = RunShape("sdf_quadratic_curve",
+                           {{"a", Spot(curve[0].x, curve[0].y)},
+                            {"b", Spot(curve[1].x, curve[1].y)},
+                            {"c", Spot(curve[2].x, curve[2].y)},
+                            {"width", Floats({0})}},
+                           points);
+    Line line = Quadratic(curve);
+    for (size_t i = 0; i < points.size(); ++i) {
+      double size = std::fmax(1, std::hypot(points[i].x, points[i].y));
+      EXPECT_NEAR(seen.Float(i), FromLine(line, points[i]), 5e-5 * size)
+          << points[i].x << " " << points[i].y;
+    }
   }
 }
 

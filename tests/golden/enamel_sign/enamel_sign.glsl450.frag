@@ -269,7 +269,7 @@ float sdf_quadratic_curve(vec2 uv, vec2 uv_dx, vec2 uv_dy, out float result_dx,
   float k0 = dot(from_a, vec2(0.315, -0.14));
   float k1 = 0.23765 + from_a.y * 0.28;
   vec2 t = vec2(0.0, 1.0);
-  for (int i = 0; i < 8; ++i) {
+  for (int i = 0; i < 12; ++i) {
     vec2 slope = ((0.0784 * t - 0.1176) * t + k1) * t + k0;
     vec2 rise = (0.2352 * t - 0.2352) * t + k1;
     t = clamp(t - slope / max(rise, 1e-20), vec2(0.0, 0.5), vec2(0.5, 1.0));
