@@ -218,6 +218,22 @@ TEST_F(SequenceProgramTest, AllFramesOrNone) {
   ExpectFailure({"-o", "/dev/full", "--format", "exr"}, 3, "[cannot-write]");
 }
 
+TEST_F(SequenceProgramTest, ASignalLeavesNothing) {
+  Program program = Make({});
+  program.path = "/bin/sh";
+  // Waits until frames are being drawn; there is nothing to see of them but temporary files.
+  program.arguments = {"-c", TEXGRAPH_PROGRAM
+                       " render made.json -o f.png --time 0,1 --frames 9999 --size 64 & child=$!\n"
+                       "for i in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do\n"
+                       "  ls -A | grep -q tmp && break; sleep 0.1\n"
+                       "done\n"
+                       "ls -A | grep -q tmp && echo drawing; kill -TERM $child; wait $child"};
+  const Outcome outcome = program.Run();
+  EXPECT_EQ(outcome.out, "drawing\n");
+  EXPECT_EQ(outcome.exit_code, 143);
+  EXPECT_THAT(folder.Names(), ElementsAre("made.frag", "made.json"));
+}
+
 TEST_F(SequenceProgramTest, FramesNeverReplaceInputs) {
   folder.Write("in.0002.json", kManifest);
   Program program = Make({"-o", "in.json", "--format", "png", "--time", "0,1", "--frames", "3"});
