@@ -41,17 +41,20 @@ struct Owner {
 };
 using Namespace = NameMap<Owner>;
 
+void ReportTaken(std::string_view name, Owner owner, const Owner& known, Diagnostics& diagnostics) {
+  Diagnostic& error =
+      diagnostics.Error(DiagnosticKind::kDuplicateName, owner.range,
+                        fmt::format("{} '{}' has the name of a {}", owner.kind, name, known.kind));
+  if (known.range.source.valid()) {
+    error.AddNote(known.range, fmt::format("the {} is here", known.kind));
+  }
+}
+
 // Adds a name, or reports that it is taken. Names of equal kind in one object are equal keys, which
 // were reported as such.
 void AddName(Namespace& names, std::string_view name, Owner owner, Diagnostics& diagnostics) {
   auto [known, fresh] = names.Add(name, owner);
-  if (fresh || known->kind == owner.kind) return;
-  Diagnostic& error = diagnostics.Error(
-      DiagnosticKind::kDuplicateName, owner.range,
-      fmt::format("{} '{}' has the name of a {}", owner.kind, name, known->kind));
-  if (known->range.source.valid()) {
-    error.AddNote(known->range, fmt::format("the {} is here", known->kind));
-  }
+  if (!fresh && known->kind != owner.kind) ReportTaken(name, owner, *known, diagnostics);
 }
 
 void CheckFunction(const Subgraph& function, const Namespace& globals, Diagnostics& diagnostics) {
@@ -96,7 +99,7 @@ std::string NameOfFile(std::string_view path) {
 
 void CheckNamespace(const Graph& graph, Diagnostics& diagnostics) {
   Namespace names;
-  names.Reserve(graph.main.nodes.size() + graph.parameters.size() + graph.textures.size() + 16);
+  names.Reserve(graph.parameters.size() + graph.textures.size() + graph.functions.size() + 16);
   for (const BuiltinInput& input : kBuiltinInputs) {
     names.Add(input.name, {"built-in input", {}});
   }
@@ -110,8 +113,11 @@ void CheckNamespace(const Graph& graph, Diagnostics& diagnostics) {
     AddName(names, function.name, {"function", function.range}, diagnostics);
   }
   for (const Subgraph& function : graph.functions) CheckFunction(function, names, diagnostics);
+  // Nodes come last: nothing is compared with them any more.
   for (const Node& node : graph.main.nodes) {
-    AddName(names, node.name, {"node", node.range}, diagnostics);
+    if (const Owner* known = names.Find(node.name)) {
+      ReportTaken(node.name, {"node", node.range}, *known, diagnostics);
+    }
   }
 }
 
