@@ -38,19 +38,20 @@ const int FLIP_BOTH = 3;
 ///   quarters, by 0, 90, 180 or 270 degrees @default TURN_NONE
 /// @param flip the image is mirrored within its element at random: none; x, left and right; y, up
 ///   and down; both, each for itself @default FLIP_NONE
-/// @param fade_size the layer goes to `far` where the shorter side of an element has fewer pixels: it
-///   is all there from this size on, and gone at half of it; 0 never @default 0 @range 0 4096
+/// @param fade_size the layer goes to `far` where the shorter side of an element has fewer pixels:
+///   it is all there from this size on, and gone at half of it; 0 never @default 0 @range 0 4096
 ///   @unit pixels
 /// @param far what the layer is from far away, straight alpha: its mean over a tile, with the share
 ///   of the tile that it covers as opacity; by default it fades out @default vec4(0)
 /// @param stream layers with different streams vary independently of each other @default 0
 /// @param color the layer's colour, straight alpha
 /// @param inner the frame of the image, turned and flipped with it, as a tile for child layers
-/// @param inner_position the tile moved as the image is, for children that follow its position alone
+/// @param inner_position the tile moved as the image is, for children that follow its position
+///   alone
 /// @param inner_rotation the tile turned about its middle as the image is, for children that follow
 ///   its rotation alone
-/// @param inner_scale the tile scaled about its middle as the image is, for children that follow its
-///   scale alone
+/// @param inner_scale the tile scaled about its middle as the image is, for children that follow
+///   its scale alone
 vec4 image(vec2 uv, Tile tile);
 
 // The share of the pixel within its cell that the element covers, for each axis of the element.
@@ -90,8 +91,8 @@ vec2 turned(vec2 q, uint bits, const int turn, const int flip) {
 
 void layer(Tile tile, vec2 position_min, vec2 position_max, vec2 scale, vec2 stretch, vec2 rotation,
            vec2 opacity, float chance, vec3 tint, const int fit, const int turn, const int flip,
-           float fade_size, vec4 far, int stream, out vec4 color, out Tile inner, out Tile inner_position,
-           out Tile inner_rotation, out Tile inner_scale) {
+           float fade_size, vec4 far, int stream, out vec4 color, out Tile inner,
+           out Tile inner_position, out Tile inner_rotation, out Tile inner_scale) {
   uint seed = hash(tile.seed + uint(stream));
   vec2 pose = random2(seed, -2);
   float angle = radians(mix(rotation.x, rotation.y, pose.y));
