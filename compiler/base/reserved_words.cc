@@ -121,7 +121,7 @@ static_assert(std::ranges::all_of(kReserved, [](std::string_view word) {
 bool IsReservedInGlsl(std::string_view name) {
   if (name.starts_with("gl_") || name.starts_with("GL_")) return true;
   if (name.find("__") != std::string_view::npos) return true;
-  // Few words share a first letter and a length, and no name is looked up more often than those that are none of them.
+  // Nearly all names are none of them, and few words share a length, a first and a last letter.
   if (name.empty() || !kLengths.Has(name)) return false;
   return std::binary_search(kReserved.begin(), kReserved.end(), name);
 }

@@ -103,16 +103,6 @@ Tiling Evaluate(const Grid& grid, bool toroidal, const std::vector<Vector>& uv) 
   return {outputs["tile"], outputs["edge"], outputs["spacing"]};
 }
 
-std::vector<Vector> Lattice(double low, double high, int side) {
-  std::vector<Vector> uv;
-  for (int y = 0; y < side; ++y) {
-    for (int x = 0; x < side; ++x) {
-      uv.push_back({low + (high - low) * (x + 0.5) / side, low + (high - low) * (y + 0.5) / side});
-    }
-  }
-  return uv;
-}
-
 // Points in the unit square that are spread evenly and follow no grid (Roberts's R2 sequence).
 Point2 Spread(int i) {
   return {std::fmod(0.5 + 0.7548776662466927 * i, 1), std::fmod(0.5 + 0.5698402909980532 * i, 1)};

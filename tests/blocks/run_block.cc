@@ -115,6 +115,16 @@ Values Bools(const std::vector<bool>& values) {
   return {ir::kBool, values.size(), std::vector<uint32_t>(values.begin(), values.end())};
 }
 
+std::vector<Vector> Lattice(double low, double high, int side) {
+  std::vector<Vector> uv;
+  for (int y = 0; y < side; ++y) {
+    for (int x = 0; x < side; ++x) {
+      uv.push_back({low + (high - low) * (x + 0.5) / side, low + (high - low) * (y + 0.5) / side});
+    }
+  }
+  return uv;
+}
+
 Values Vectors(const std::vector<Vector>& values) {
   size_t width = values[0].size();
   Values result{ir::Vector(ir::Scalar::kFloat, static_cast<uint32_t>(width)), values.size(), {}};

@@ -36,6 +36,8 @@ Values Uints(const std::vector<uint32_t>& values);
 Values Bools(const std::vector<bool>& values);
 // Floats (of one component) or vectors of 2, 3 or 4; ivec2.
 Values Vectors(const std::vector<Vector>& values);
+// The middles of side * side equal squares between low and high in both directions, row by row.
+std::vector<Vector> Lattice(double low, double high, int side);
 Values CellsOf(const std::vector<std::pair<int32_t, int32_t>>& cells);
 
 // A word of an enumeration, for a template port.

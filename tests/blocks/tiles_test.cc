@@ -42,16 +42,6 @@ Values Tiles(const Grid& grid, const std::vector<Vector>& uv) {
   return outputs.empty() ? Values{} : outputs["tile"];
 }
 
-std::vector<Vector> Lattice(double low, double high, int side) {
-  std::vector<Vector> uv;
-  for (int y = 0; y < side; ++y) {
-    for (int x = 0; x < side; ++x) {
-      uv.push_back({low + (high - low) * (x + 0.5) / side, low + (high - low) * (y + 0.5) / side});
-    }
-  }
-  return uv;
-}
-
 // Every point of one brick has the same number and the same seed, and it runs from end to end:
 // walking along a row, the number changes where the local coordinate starts again, and only there.
 TEST(BrickGridTest, OneIdentityForEachBrick) {

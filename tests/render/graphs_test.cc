@@ -12,6 +12,7 @@
 #include "compiler/compile.h"
 #include "compiler/graph/checked_graph.h"
 #include "compiler/graph/graph.h"
+#include "tests/fuzz/graph_textures.h"
 #include "tests/render/render_check.h"
 
 namespace texgraph::test {
@@ -52,35 +53,6 @@ void LowerGraph(const std::string& path, bool optimize, glsl::Dialect dialect,
   }
 }
 
-// The graph's textures by the name of their global, without rounding to 8 bits: the filters of CPU
-// and GPU then agree.
-void LoadGraphTextures(const graph::Graph& graph, const std::string& folder, bool mipmaps,
-                       CheckOptions& options) {
-  for (const graph::Texture& texture : graph.textures) {
-    std::vector<textures::Image> layers;
-    Diagnostics diagnostics;
-    for (std::string_view file : texture.files) {
-      auto image = textures::ReadImage(JoinPath(folder, file), {}, diagnostics);
-      ASSERT_TRUE(image) << file;
-      layers.push_back(std::move(*image));
-    }
-    textures::TextureOptions how;
-    how.srgb = texture.color_space == graph::ColorSpace::kSrgb;
-    how.mipmaps = texture.mipmaps && mipmaps;
-    if (texture.max_level) how.max_level = static_cast<uint32_t>(*texture.max_level);
-    how.filter = texture.filter == graph::TextureFilter::kNearest ? ir::Filter::kNearest
-                                                                  : ir::Filter::kLinear;
-    how.wrap_u = static_cast<ir::Wrap>(texture.wrap_u);
-    how.wrap_v = static_cast<ir::Wrap>(texture.wrap_v);
-    how.is_array = texture.is_array;
-    how.as_float = true;
-    auto data = MakeTexture(layers, how, texture.name, {}, diagnostics);
-    ASSERT_TRUE(data);
-    options.textures[std::string(texture.name)] =
-        std::make_shared<textures::TextureData>(std::move(*data));
-  }
-}
-
 // A function that is not of the exact class may fall on the other side of a step: nearly all values
 // are near, and few are not.
 void ExpectNear(const CheckReport& report, double tolerance, const std::string& what) {
@@ -110,7 +82,9 @@ TEST_P(GraphTest, TheGpuDrawsWhatTheCpuComputes) {
         LoweredGraph graph;
         LowerGraph(path, optimize, dialect, graph);
         ASSERT_TRUE(graph.lowered) << graph.Errors();
-        LoadGraphTextures(*graph.lowered->graph, std::string(FolderOf(path)), mipmaps, options);
+        options.textures = fuzz::LoadGraphTextures(*graph.lowered->graph,
+                                                   std::string(FolderOf(path)), mipmaps);
+        ASSERT_EQ(options.textures.size(), graph.lowered->graph->textures.size());
         const CheckReport report = CompareCpuAndGpu(*graph.lowered->module, options);
         ExpectNear(report, mipmaps ? 0.02 : 1e-4,
                    fmt::format("window at {}, dialect {}, mipmaps {}, optimised {}", window[0],
