@@ -47,6 +47,10 @@ struct Port {
   ir::ConstId default_value;
   std::string default_input;
   std::optional<double> minimum, maximum;  // "@range 0 1", each component
+  bool ordered = false;                    // "@ordered": no component is below the one before it
+  // "@not_below name": no component is below the one of that input of the overload, which has the
+  // same type.
+  std::optional<uint32_t> not_below;
   std::vector<EnumWord> words;
   std::vector<std::string> field_parameters;  // kField: the names of the prototype's parameters
 };

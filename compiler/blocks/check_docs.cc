@@ -4,6 +4,7 @@
 #include <bit>
 #include <charconv>
 #include <set>
+#include <span>
 
 #include "compiler/base/builtin_input.h"
 #include "compiler/base/text.h"
@@ -37,7 +38,8 @@ struct ParameterDoc {
   std::vector<Setting> settings;
 };
 
-constexpr std::string_view kInlineTags[] = {"@default", "@range", "@unit"};
+constexpr std::string_view kInlineTags[] = {"@default", "@range", "@unit", "@ordered",
+                                            "@not_below"};
 constexpr std::string_view kTags[] = {"@param", "@return", "@source"};
 
 bool IsBlank(char c) { return c == ' ' || c == '\t'; }
@@ -92,6 +94,8 @@ class DocChecker {
       FindWords(overload);
       for (Port& port : overload.inputs) SetPort(overload, port, true);
       for (Port& port : overload.outputs) SetPort(overload, port, false);
+      // After all defaults, which are compared.
+      for (Port& port : overload.inputs) SetOrder(overload, port);
     }
   }
 
@@ -221,9 +225,19 @@ class DocChecker {
                           DidYouMean(name.text, known));
   }
 
+  bool SameLine(const Piece& a, const Piece& b) const {
+    return text_.substr(a.range.end, b.range.begin - a.range.end).find('\n') ==
+           std::string_view::npos;
+  }
+
   void ReadSetting(const Tag& tag, ParameterDoc& doc) {
     Piece value = tag.pieces.empty() ? Piece{} : tag.pieces[0];
-    if (value.text.empty()) {
+    if (tag.name.text == "@ordered") {
+      if (!value.text.empty() && SameLine(tag.name, value)) {
+        return Error(tag.name.range, "'@ordered' ends its line; it takes no value");
+      }
+      if (!value.text.empty()) AppendLine(doc.help, value.text, ' ');
+    } else if (value.text.empty()) {
       Error(tag.name.range, "'" + std::string(tag.name.text) + "' needs a value behind it");
       return;
     }
@@ -293,7 +307,7 @@ class DocChecker {
     if (!doc) return;
     port.help = doc->help;
     // The default is checked against the range.
-    for (std::string_view tag : {"@unit", "@range", "@default"}) {
+    for (std::string_view tag : {"@unit", "@range", "@default", "@ordered", "@not_below"}) {
       for (const Setting& setting : doc->settings) {
         if (setting.tag.text == tag) SetSetting(port, setting, is_input);
       }
@@ -306,6 +320,8 @@ class DocChecker {
       port.unit = setting.value.text;
     } else if (tag == "@range") {
       SetRange(port, setting);
+    } else if (IsOrder(tag)) {
+      if (!is_input) Error(setting.tag.range, "an output has no '" + std::string(tag) + "'");
     } else if (!is_input || port.kind == PortKind::kTexture) {
       Error(setting.tag.range, is_input ? "a texture has no default" : "an output has no default");
     } else {
@@ -384,15 +400,18 @@ class DocChecker {
                            DidYouMean(value.text, known));
   }
 
+  static double NumberOf(TypeId type, uint32_t word) {
+    if (ir::IsFloat(type)) return std::bit_cast<float>(word);
+    if (ir::ScalarOf(type) == ir::Scalar::kInt) return static_cast<int32_t>(word);
+    return word;
+  }
+
   void CheckDefaultRange(const Port& port, const Piece& value) {
     TypeId type = program_.module.constant(port.default_value).type;
     if (!ir::IsVector(type) || ir::IsBool(type)) return;
     bool known_word = port.words.empty();
     for (uint32_t word : program_.module.Words(port.default_value)) {
-      double number = ir::IsFloat(type) ? std::bit_cast<float>(word)
-                      : ir::ScalarOf(type) == ir::Scalar::kInt
-                          ? static_cast<double>(static_cast<int32_t>(word))
-                          : static_cast<double>(word);
+      double number = NumberOf(type, word);
       // The range is of doubles, the default of floats: 0.1 is in [0.1, 1].
       auto nearest = [&](double limit) {
         return ir::IsFloat(type) ? static_cast<double>(static_cast<float>(limit)) : limit;
@@ -404,6 +423,62 @@ class DocChecker {
       for (const EnumWord& choice : port.words) known_word = known_word || choice.value == number;
     }
     if (!known_word) Error(value.range, "the default is none of the port's words");
+  }
+
+  // --- Least and greatest values ---
+
+  static bool IsOrder(std::string_view tag) { return tag == "@ordered" || tag == "@not_below"; }
+
+  static bool HoldsNumbers(const Port& port) {
+    bool value = port.kind == PortKind::kValue || port.kind == PortKind::kTemplate;
+    return value && ir::IsVector(port.type) && !ir::IsBool(port.type) && port.words.empty();
+  }
+
+  void SetOrder(const Overload& overload, Port& port) {
+    const ParameterDoc* doc = FindDoc(overload, port.name);
+    if (!doc) return;
+    for (const Setting& setting : doc->settings) {
+      if (setting.tag.text == "@ordered") SetOrdered(port, setting);
+      if (setting.tag.text == "@not_below") SetNotBelow(overload, port, setting);
+    }
+  }
+
+  void SetOrdered(Port& port, const Setting& setting) {
+    if (!HoldsNumbers(port) || ir::IsScalar(port.type)) {
+      return Error(setting.tag.range, "only vectors of numbers are '@ordered'");
+    }
+    port.ordered = true;
+    if (!port.default_value) return;
+    std::span<const uint32_t> words = program_.module.Words(port.default_value);
+    CheckDefaultOrder(port, words.first(words.size() - 1), words.subspan(1), setting);
+  }
+
+  void SetNotBelow(const Overload& overload, Port& port, const Setting& setting) {
+    const std::string_view name = setting.value.text;
+    std::vector<std::string_view> known;
+    for (const Port& other : overload.inputs) known.push_back(other.name);
+    auto least = std::ranges::find(overload.inputs, name, &Port::name);
+    if (least == overload.inputs.end()) {
+      return Error(setting.value.range,
+                   "there is no input '" + Printable(name, 60) + "'" + DidYouMean(name, known));
+    }
+    if (&*least == &port || !HoldsNumbers(port) || !HoldsNumbers(*least) ||
+        least->type != port.type) {
+      return Error(setting.value.range,
+                   "'@not_below' names another input of numbers of the same type");
+    }
+    port.not_below = static_cast<uint32_t>(least - overload.inputs.begin());
+    if (!port.default_value || !least->default_value) return;
+    CheckDefaultOrder(port, program_.module.Words(least->default_value),
+                      program_.module.Words(port.default_value), setting);
+  }
+
+  void CheckDefaultOrder(const Port& port, std::span<const uint32_t> least,
+                         std::span<const uint32_t> most, const Setting& setting) {
+    for (size_t i = 0; i < least.size(); ++i) {
+      if (NumberOf(port.type, most[i]) >= NumberOf(port.type, least[i])) continue;
+      return Error(setting.tag.range, "the defaults break '" + std::string(setting.tag.text) + "'");
+    }
   }
 
   // --- Enumerations ---

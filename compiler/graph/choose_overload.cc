@@ -95,6 +95,7 @@ CheckedNode SubgraphChecker::BindNode(uint32_t index) {
               : BindDefault(target, node.range);
     if (bound) checked.inputs.push_back(std::move(*bound));
   }
+  CheckPortOrder(checked, *overload);
   // With a port that is wrong another overload may have been meant.
   state.certain = state.candidates.size() == 1 || checked.inputs.size() == overload->inputs.size();
   return checked;

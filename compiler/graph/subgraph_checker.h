@@ -143,6 +143,10 @@ class SubgraphChecker {
   std::optional<int> FieldCost(const blocks::Port& port, const Argument& argument,
                                const Resolved& resolved) const;
 
+  // port_order.cc: least and greatest values.
+  void CheckPortOrder(const CheckedNode& checked, const blocks::Overload& overload);
+  void CheckNotBelow(const CheckedNode& checked, const blocks::Overload& overload, uint32_t most);
+
   // resolve.cc: names.
   Resolved Resolve(const Argument& argument) const;
   Resolved ResolveOutput(Symbol symbol, const std::optional<std::string_view>& port) const;

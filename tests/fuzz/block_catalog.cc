@@ -2,6 +2,7 @@
 #include "tests/fuzz/block_catalog.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "compiler/graph/conversion.h"
 #include "compiler/graph/literal.h"
@@ -144,6 +145,41 @@ bool BlockCatalog::WithinLimits(const Port& port, const graph::Argument& literal
           return word.value == number;
         });
     if (!known) return false;
+  }
+  return !port.ordered || std::ranges::is_sorted(literal.numbers);
+}
+
+// One number for each component; none if they are not known when the shader is made.
+std::vector<float> BlockCatalog::Known(const Port& port,
+                                       std::span<const PortArgument> arguments) const {
+  std::vector<float> known;
+  auto argument = std::ranges::find(arguments, port.name, &PortArgument::port);
+  if (argument == arguments.end()) {
+    if (!port.default_value.valid()) return known;
+    for (uint32_t word : Words(port.default_value)) {
+      known.push_back(ir::IsFloat(port.type) ? std::bit_cast<float>(word)
+                                             : static_cast<float>(static_cast<int32_t>(word)));
+    }
+    return known;
+  }
+  if (argument->thing && argument->thing->kind != Thing::Kind::kConstant) return known;
+  const graph::Argument& literal = argument->thing ? argument->thing->literal : argument->literal;
+  const size_t width = ir::Width(port.type);
+  for (size_t i = 0; i < width; ++i) {
+    known.push_back(static_cast<float>(literal.numbers[literal.numbers.size() == width ? i : 0]));
+  }
+  return known;
+}
+
+bool BlockCatalog::KeepsOrder(const Overload& overload,
+                              std::span<const PortArgument> arguments) const {
+  for (const Port& port : overload.inputs) {
+    if (!port.not_below) continue;
+    const std::vector<float> least = Known(overload.inputs[*port.not_below], arguments);
+    const std::vector<float> most = Known(port, arguments);
+    for (size_t i = 0; i < std::min(least.size(), most.size()); ++i) {
+      if (most[i] < least[i]) return false;
+    }
   }
   return true;
 }

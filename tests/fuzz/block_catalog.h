@@ -53,12 +53,15 @@ class BlockCatalog {
                                  std::span<const PortArgument> arguments) const;
   // Whether a value that is known lies within the port's limits and words.
   bool WithinLimits(const blocks::Port& port, const graph::Argument& literal) const;
+  // Whether no greatest value that is known lies below its least.
+  bool KeepsOrder(const blocks::Overload& overload, std::span<const PortArgument> arguments) const;
 
   ir::TypeId FieldResult(const blocks::Port& port) const;
   std::span<const ir::TypeId> FieldParameters(const blocks::Port& port) const;
 
  private:
   BlockCatalog();
+  std::vector<float> Known(const blocks::Port& port, std::span<const PortArgument> arguments) const;
   bool FunctionFits(const blocks::Port& port, const blocks::Overload& function) const;
 
   ir::Module module_;

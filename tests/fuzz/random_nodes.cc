@@ -89,7 +89,10 @@ std::optional<Argument> RandomNodes::Literal(const Port& port) {
   const bool splat = vector && (ir::IsScalar(type) || OneIn(4));
   const size_t count = splat ? 1 : catalog_.types().Words(type);
   literal.kind = splat ? Argument::Kind::kNumber : Argument::Kind::kVector;
-  for (size_t i = 0; i < count; ++i) literal.numbers.push_back(Number(port, scalar, i));
+  std::vector<double> numbers;
+  for (size_t i = 0; i < count; ++i) numbers.push_back(Number(port, scalar, i));
+  if (port.ordered) std::ranges::sort(numbers);
+  for (double number : numbers) literal.numbers.push_back(number);
   // Whole numbers stand for floats, too; then all are written without a point.
   const bool all_whole = std::ranges::all_of(
       literal.numbers, [](double number) { return number == std::floor(number); });
@@ -204,6 +207,7 @@ std::optional<Tree> RandomNodes::Bind(std::span<const Overload> overloads, const
                                 : nullptr;
     if (known && !catalog_.WithinLimits(*port, *known)) return std::nullopt;
   }
+  if (!catalog_.KeepsOrder(**chosen, arguments)) return std::nullopt;
   std::shuffle(in.children.begin(), in.children.end(), random_);
   return in;
 }

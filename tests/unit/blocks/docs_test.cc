@@ -212,6 +212,47 @@ TEST(BlockDocs, Mistakes) {
             "1:26: the value must be float, got bool [block-doc]\n");
 }
 
+TEST(BlockDocs, LeastAndGreatest) {
+  TestLibrary test(Files{{"x.glsl",
+                          "/// X.\n/// @param a the least @default 1\n"
+                          "/// @param b the greatest @not_below a\n///   of all @default 1\n"
+                          "/// @param c both @ordered\n///   of them @default 2\n"
+                          "genType x(genType a, genType b, ivec2 c) { return a + b; }"}});
+  const Block* block = test.library.Find("x");
+  ASSERT_NE(block, nullptr) << test.Report();
+  for (const Overload& overload : block->overloads) {
+    EXPECT_EQ(overload.inputs[1].not_below, 0u);
+    EXPECT_EQ(overload.inputs[1].help, "the greatest of all");
+    EXPECT_TRUE(overload.inputs[2].ordered);
+    EXPECT_FALSE(overload.inputs[0].ordered || overload.inputs[0].not_below);
+  }
+  auto report = [](std::string_view doc) {
+    return ReportOf("/// X.\n" + std::string(doc) +
+                    "\nfloat x(float a, vec2 b, vec2 c, bvec2 d, out vec2 e) { e = b; return a; }");
+  };
+  EXPECT_EQ(report("/// @param a it @ordered"),
+            "2:17: only vectors of numbers are '@ordered' [block-doc]\n");
+  EXPECT_EQ(report("/// @param d it @ordered"),
+            "2:17: only vectors of numbers are '@ordered' [block-doc]\n");
+  EXPECT_EQ(report("/// @param b it @ordered x y"),
+            "2:17: '@ordered' ends its line; it takes no value [block-doc]\n");
+  EXPECT_EQ(report("/// @param b it @ordered @ordered"),
+            "2:26: '@ordered' stands here twice [block-doc]\n");
+  EXPECT_EQ(report("/// @param b it @not_below"),
+            "2:17: '@not_below' needs a value behind it [block-doc]\n");
+  EXPECT_EQ(report("/// @param b it @not_below g"), "2:28: there is no input 'g' [block-doc]\n");
+  for (const char* other : {"a", "b", "d"}) {
+    EXPECT_EQ(report(std::string("/// @param b it @not_below ") + other),
+              "2:28: '@not_below' names another input of numbers of the same type [block-doc]\n");
+  }
+  EXPECT_EQ(report("/// @param e it @not_below b"),
+            "2:17: an output has no '@not_below' [block-doc]\n");
+  EXPECT_EQ(report("/// @param b it @ordered @default vec2(0, -1)"),
+            "2:17: the defaults break '@ordered' [block-doc]\n");
+  EXPECT_EQ(report("/// @param b it @not_below c @default 0\n/// @param c it @default vec2(0, 1)"),
+            "2:17: the defaults break '@not_below' [block-doc]\n");
+}
+
 TEST(BlockDocs, Enumerations) {
   TestLibrary test(
       Files{{"x.glsl",

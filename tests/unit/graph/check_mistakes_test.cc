@@ -273,6 +273,47 @@ TEST(CheckMistakes, ValuesOutOfRange) {
   });
 }
 
+TEST(CheckMistakes, MinimumAboveMaximum) {
+  ExpectMistakes({
+      {Ports("t_limits", "\"low\": [0, 0.7],\n\"high\": [0.4, 0.5]"),
+       {"11:9 value-range (10:8) (7:30)"},
+       "port 'high' of node 'n' must not be below port 'low', but 0.5 is below 0.7 in y"},
+      // Against a default the caret is at what the graph says.
+      {Ports("t_limits", "\"low\": [0, 3]"),
+       {"10:8 value-range (7:30) (7:20)"},
+       "port 'low' of node 'n' must not be above port 'high', but 3 is above 1 in y"},
+      {Ports("t_limits", "\"high\": -0.5"),
+       {"10:9 value-range (7:20) (7:30)"},
+       "must not be below port 'low', but -0.5 is below 0 in x"},
+      {Ports("t_limits", "\"size\": [2, 1]"),
+       {"10:9 value-range (7:41)"},
+       "port 'size' of node 'n' takes its least value first, got 2 before 1"},
+      // Whole numbers are signed here, and parameters count as their value.
+      {Ports("t_limits", "\"last\": -4"), {"10:9 value-range (7:57) (7:68)"}, "but -4 is below -3"},
+      {Ports("t_limits", "\"first\": \"rows\", \"last\": -3"),
+       {"10:26 value-range (10:10) (7:68)"},
+       "but -3 is below 4"},
+  });
+  for (const char* ports : {"\"low\": 0.5, \"high\": 0.5, \"size\": [-2, -2], \"last\": -3",
+                            "\"size\": 2", "\"low\": 1", "\"last\": -2",
+                            // Known only while the shader runs.
+                            "\"low\": [5, 5], \"high\": \"live\""}) {
+    CheckText check(Ports("t_limits", ports));
+    EXPECT_TRUE(check.checked) << ports << "\n" << check.Messages();
+  }
+}
+
+TEST(CheckMistakes, MinimumAboveMaximumBySetting) {
+  const char* text =
+      "\"parameters\": {\"a\": {\"type\": \"float\", \"value\": 0.25}},\n"
+      "\"nodes\": {\"n\": {\"block\": \"t_limits\", \"in\": {\"low\": \"a\", \"high\": 0.5}}}";
+  CheckText good(text);
+  EXPECT_TRUE(good.checked) << good.Messages();
+  CheckText bad(text, "\"height\": 0", {"a=0.75"});
+  EXPECT_FALSE(bad.checked);
+  EXPECT_THAT(bad.Messages(), HasSubstr("0.5 is below 0.75 in x"));
+}
+
 TEST(CheckMistakes, SmallFloatsBecomeZeroWithAWarning) {
   CheckText check(R"("nodes": {"n": {"block": "t_one", "in": {"x": 1e-50}}})", "\"height\": \"n\"");
   EXPECT_EQ(check.NodeText("n"), "x=0.0:float");

@@ -99,6 +99,16 @@ vec2 t_extra(vec2 uv, out float side) {
 /// @param tile the tile
 float t_cell(Tile tile) { return tile.local.x; }
 )"},
+    {"t_limits", R"(/// Least and greatest values.
+/// @param low the least @default vec2(0) @range -10 10
+/// @param high the greatest @default vec2(1) @not_below low
+/// @param size the least and the greatest @default vec2(1) @ordered
+/// @param first the least @default -3
+/// @param last the greatest @default 5 @not_below first
+vec2 t_limits(vec2 low, vec2 high, vec2 size, const int first, int last) {
+  return clamp(size, low, high) + vec2(first, last);
+}
+)"},
     {"t_whole", R"(/// Integers and a bool.
 /// @param v a vector @default ivec2(1, 2)
 /// @param u not negative @default 7u

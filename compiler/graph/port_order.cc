@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// Ports that are the least and the greatest of something: a block says so with "@ordered" and
+// "@not_below", and what is known of their values when the graph is checked must obey it.
+#include <fmt/format.h>
+
+#include <bit>
+#include <span>
+
+#include "compiler/graph/subgraph_checker.h"
+
+namespace texgraph::graph {
+namespace {
+
+// The first component of `most` that is below its fellow in `least`.
+std::optional<size_t> FirstBelow(ir::TypeId type, std::span<const uint32_t> least,
+                                 std::span<const uint32_t> most) {
+  for (size_t i = 0; i < least.size(); ++i) {
+    const uint32_t a = least[i], b = most[i];
+    bool below = b < a;
+    if (ir::ScalarOf(type) == ir::Scalar::kInt) {
+      below = static_cast<int32_t>(b) < static_cast<int32_t>(a);
+    } else if (ir::IsFloat(type)) {
+      below = std::bit_cast<float>(b) < std::bit_cast<float>(a);
+    }
+    if (below) return i;
+  }
+  return std::nullopt;
+}
+
+std::string WordText(ir::TypeId type, uint32_t word) {
+  if (ir::IsFloat(type)) return fmt::format("{}", std::bit_cast<float>(word));
+  if (ir::ScalarOf(type) == ir::Scalar::kInt) return fmt::format("{}", static_cast<int32_t>(word));
+  return fmt::format("{}", word);
+}
+
+}  // namespace
+
+void SubgraphChecker::CheckPortOrder(const CheckedNode& checked, const blocks::Overload& overload) {
+  // Where a port is wrong, the others don't stand at their places.
+  if (checked.inputs.size() != overload.inputs.size()) return;
+  for (uint32_t i = 0; i < overload.inputs.size(); ++i) {
+    const blocks::Port& port = overload.inputs[i];
+    if (port.not_below) CheckNotBelow(checked, overload, i);
+    const auto* constant = std::get_if<ConstantValue>(&checked.inputs[i].source);
+    if (!port.ordered || constant == nullptr) continue;
+    std::span<const uint32_t> words = check_.module.Words(constant->value);
+    auto at = FirstBelow(port.type, words.first(words.size() - 1), words.subspan(1));
+    if (!at) continue;
+    Place place{"port", port.name, "node", checked.node->name, port.range};
+    place.AddNote(check_.diagnostics.Error(
+        DiagnosticKind::kValueRange, checked.inputs[i].range,
+        fmt::format("{} takes its least value first, got {} before {}", place.Text(),
+                    WordText(port.type, words[*at]), WordText(port.type, words[*at + 1]))));
+  }
+}
+
+// The caret is at the port that the node names; of two, at the greatest value.
+void SubgraphChecker::CheckNotBelow(const CheckedNode& checked, const blocks::Overload& overload,
+                                    uint32_t most_index) {
+  const uint32_t least_index = *overload.inputs[most_index].not_below;
+  const BoundPort& least_bound = checked.inputs[least_index];
+  const BoundPort& most_bound = checked.inputs[most_index];
+  const auto* least = std::get_if<ConstantValue>(&least_bound.source);
+  const auto* most = std::get_if<ConstantValue>(&most_bound.source);
+  if (least == nullptr || most == nullptr) return;
+  const ir::TypeId type = overload.inputs[most_index].type;
+  std::span<const uint32_t> low = check_.module.Words(least->value);
+  std::span<const uint32_t> high = check_.module.Words(most->value);
+  auto at = FirstBelow(type, low, high);
+  if (!at) return;
+  // A default has the place of its node.
+  auto is_default = [&](const BoundPort& bound) {
+    return bound.range.begin == checked.node->range.begin;
+  };
+  const bool at_most = !is_default(most_bound);
+  const blocks::Port& port = overload.inputs[at_most ? most_index : least_index];
+  const blocks::Port& other = overload.inputs[at_most ? least_index : most_index];
+  const BoundPort& other_bound = at_most ? least_bound : most_bound;
+  const std::string got = WordText(type, (at_most ? high : low)[*at]);
+  const std::string limit = WordText(type, (at_most ? low : high)[*at]);
+  const std::string_view relation = at_most ? "below" : "above";
+  Place place{"port", port.name, "node", checked.node->name, port.range};
+  Diagnostic& error = check_.diagnostics.Error(
+      DiagnosticKind::kValueRange, (at_most ? most_bound : least_bound).range,
+      fmt::format("{} must not be {} port '{}', but {} is {} {}{}", place.Text(), relation,
+                  other.name, got, relation, limit,
+                  ir::IsScalar(type) ? "" : fmt::format(" in {}", "xyzw"[*at])));
+  if (is_default(other_bound)) {
+    error.AddNote(other.range, fmt::format("port '{}', whose default is {}, is declared here",
+                                           other.name, limit));
+  } else {
+    error.AddNote(other_bound.range, fmt::format("port '{}' is {} here", other.name, limit));
+  }
+  place.AddNote(error);
+}
+
+}  // namespace texgraph::graph
