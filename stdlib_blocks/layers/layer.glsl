@@ -25,11 +25,13 @@ const int FLIP_BOTH = 3;
 /// @param tile where it is drawn: a tile of a grid, or the `inner` of a parent layer
 /// @param position_min left and lower limit of the centre's position, in tiles @default vec2(0.5)
 /// @param position_max right and upper limit of the centre's position, in tiles @default vec2(0.5)
-/// @param scale least and greatest size, in tiles; above 0 @default vec2(1)
+///   @not_below position_min
+/// @param scale least and greatest size, in tiles; above 0 @default vec2(1) @ordered
 /// @param stretch least and greatest height for each width: 1 keeps the shape that `fit` gives, 2
-///   is twice as high; above 0 @default vec2(1)
+///   is twice as high; above 0 @default vec2(1) @ordered
 /// @param rotation least and greatest angle, counter-clockwise @default vec2(0) @unit degrees
-/// @param opacity least and greatest opacity @default vec2(1) @range 0 1
+///   @ordered
+/// @param opacity least and greatest opacity @default vec2(1) @range 0 1 @ordered
 /// @param chance the share of the tiles in which the image is drawn @default 1 @range 0 1
 /// @param tint what the image's colour is multiplied by @default vec3(1)
 /// @param fit the shape at scale 1: stretch, that of the tile; contain, the largest square that
