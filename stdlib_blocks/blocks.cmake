@@ -75,6 +75,9 @@ set(TEXGRAPH_STDLIB_BLOCKS
   shapes/sdf_intersection.glsl
   shapes/sdf_line.glsl
   shapes/sdf_outline.glsl
+  shapes/sdf_path.glsl
+  shapes/sdf_polygon.glsl
+  shapes/sdf_polyline.glsl
   shapes/sdf_quadratic_curve.glsl
   shapes/sdf_regular_polygon.glsl
   shapes/sdf_ring.glsl

@@ -32,10 +32,18 @@ std::string ScalarText(ir::Scalar scalar, uint32_t word) {
   return {};
 }
 
-// As GLSL writes it: 3, 0.5, vec3(1.0), vec2(0.0, 1.0). Nothing for structs and arrays.
-std::string ConstantText(const ir::Module& module, ir::ConstId id) {
-  ir::TypeId type = module.constant(id).type;
-  std::span<const uint32_t> words = module.Words(id);
+// As GLSL writes it: 3, 0.5, vec3(1.0), vec2(0.0, 1.0). Nothing for structs.
+std::string ConstantText(const ir::Module& module, ir::TypeId type,
+                         std::span<const uint32_t> words) {
+  if (module.types.Kind(type) == ir::TypeKind::kArray) {
+    ir::TypeId element = module.types.ElementType(type, 0);
+    uint32_t width = module.types.Words(element);
+    std::string out;
+    for (size_t i = 0; i < words.size(); i += width) {
+      out += (i == 0 ? "" : ", ") + ConstantText(module, element, words.subspan(i, width));
+    }
+    return module.types.Text(element) + "[](" + out + ")";
+  }
   if (ir::IsVector(type) && ir::IsScalar(type)) return ScalarText(ir::ScalarOf(type), words[0]);
   if (!ir::IsVector(type) && !ir::IsMatrix(type)) return {};
   ir::Scalar scalar = ir::IsMatrix(type) ? ir::Scalar::kFloat : ir::ScalarOf(type);
@@ -166,6 +174,11 @@ class Printer {
     } else if (port.maximum) {
       add(fmt::format("at most {}", *port.maximum));
     }
+    if (port.max_length > 0) {
+      add(port.min_length == port.max_length
+              ? fmt::format("{} elements", port.min_length)
+              : fmt::format("{} to {} elements", port.min_length, port.max_length));
+    }
     if (!port.unit.empty()) add("in " + port.unit);
     if (port.ordered) add("the least first");
     if (port.not_below) add("not below " + ports[*port.not_below].name);
@@ -185,7 +198,8 @@ class Printer {
         if (word.value == value) return word.word;
       }
     }
-    return ConstantText(module_, port.default_value);
+    return ConstantText(module_, module_.constant(port.default_value).type,
+                        module_.Words(port.default_value));
   }
 
   const ir::Module& module_;

@@ -47,7 +47,9 @@ struct Port {
   ir::ConstId default_value;
   std::string default_input;
   std::optional<double> minimum, maximum;  // "@range 0 1", each component
-  bool ordered = false;                    // "@ordered": no component is below the one before it
+  // How many elements an array has: "@length 3 256", or 1 to kMaxArrayLength; 0 for other types.
+  uint32_t min_length = 0, max_length = 0;
+  bool ordered = false;  // "@ordered": no component is below the one before it
   // "@not_below name": no component is below the one of that input of the overload, which has the
   // same type.
   std::optional<uint32_t> not_below;

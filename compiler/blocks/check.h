@@ -24,11 +24,16 @@ ir::ConstId CheckConstant(Program& program, File& file, const Expr& expr, ir::Ty
                           bool splat, DiagnosticKind kind);
 
 // A scalar or vector may turn into another of its width without being asked: int into uint and
-// float, uint into float.
-bool ConvertsTo(ir::TypeId from, ir::TypeId to);
+// float, uint into float. An array may stand for one of any length.
+bool ConvertsTo(const ir::Types& types, ir::TypeId from, ir::TypeId to);
+// An array as a 'const' parameter may have it, "vec2[]".
+inline bool IsUnsized(const ir::Types& types, ir::TypeId type) {
+  return types.Kind(type) == ir::TypeKind::kArray && types[type].length == 0;
+}
 
 // "float[4]", "genType" replaced; invalid and reported if there is no such type here. An array
-// without a length gets `unsized_length`, or is refused if that is 0.
+// without a length gets `unsized_length`, or is refused if that is 0, or stays without one.
+inline constexpr uint32_t kAnyLength = 0xffffffffu;
 ir::TypeId ResolveType(Program& program, File& file, const TypeName& name, ir::TypeId gen_type,
                        uint32_t unsized_length = 0);
 

@@ -109,8 +109,12 @@ TypedId BodyChecker::SplatTo(TypedId scalar, TypeId vector) {
 // --- Conversions
 // -------------------------------------------------------------------------------------------------
 
-bool ConvertsTo(TypeId from, TypeId to) {
+bool ConvertsTo(const ir::Types& types, TypeId from, TypeId to) {
   if (from == to) return true;
+  if (IsUnsized(types, to)) {
+    return types.Kind(from) == ir::TypeKind::kArray &&
+           types.ElementType(from, 0) == types.ElementType(to, 0);
+  }
   if (!ir::IsVector(from) || !ir::IsVector(to) || ir::Width(from) != ir::Width(to)) return false;
   ir::Scalar a = ir::ScalarOf(from), b = ir::ScalarOf(to);
   return (a == ir::Scalar::kInt && (b == ir::Scalar::kUint || b == ir::Scalar::kFloat)) ||
@@ -118,7 +122,7 @@ bool ConvertsTo(TypeId from, TypeId to) {
 }
 
 TypedId BodyChecker::ConvertTo(TypedId value, TypeId type) {
-  if (!value || TypeOf(value) == type) return value;
+  if (!value || TypeOf(value) == type || IsUnsized(types_, type)) return value;
   const TypedExpr expr = function_.exprs[value.index];
   // A literal is written in the type that it is used as.
   if (expr.kind == TypedKind::kConstant && ir::IsScalar(type) && !ir::IsBool(expr.type)) {
@@ -135,7 +139,7 @@ TypedId BodyChecker::ConvertTo(TypedId value, TypeId type) {
 
 TypedId BodyChecker::Coerce(TypedId value, TypeId type, std::string_view what) {
   if (!value || !type || !TypeOf(value)) return {};
-  if (ConvertsTo(TypeOf(value), type)) return ConvertTo(value, type);
+  if (ConvertsTo(types_, TypeOf(value), type)) return ConvertTo(value, type);
   Error(DiagnosticKind::kBlockType, RangeOf(value),
         std::string(what) + " must be " + Text(type) + ", got " + Text(TypeOf(value)));
   return {};
@@ -235,7 +239,8 @@ ir::ConstId CheckConstant(Program& program, File& file, const Expr& expr, TypeId
   BodyChecker checker(program, function, kind == DiagnosticKind::kBlockDoc);
   TypedId value = checker.Check(expr);
   TypeId scalar = ir::IsVector(type) ? ir::ScalarType(type) : type;
-  bool splats = splat && value && scalar != type && ConvertsTo(checker.TypeOf(value), scalar);
+  bool splats = splat && value && scalar != type &&
+                ConvertsTo(program.module.types, checker.TypeOf(value), scalar);
   value = checker.Coerce(value, splats ? scalar : type, "the value");
   if (splats) value = checker.SplatTo(value, type);
   std::swap(found, program.diagnostics);

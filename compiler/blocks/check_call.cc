@@ -167,7 +167,7 @@ const BodyChecker::Candidate* BodyChecker::Choose(const Expr& expr,
     bool fits = true;
     for (size_t i = 0; fits && i < args.size(); ++i) {
       TypeId from = TypeOf(args[i]), to = parameters[i].type;
-      fits = parameters[i].is_out ? from == to : ConvertsTo(from, to);
+      fits = parameters[i].is_out ? from == to : ConvertsTo(types_, from, to);
       cost += from == to ? 0 : 1;
     }
     if (!fits) continue;
@@ -201,7 +201,7 @@ void BodyChecker::NoCandidate(const Expr& expr, std::span<const Candidate> candi
   if (candidates.size() == 1 && parameters.size() == args.size()) {
     for (size_t i = 0; i < args.size(); ++i) {
       TypeId from = TypeOf(args[i]), to = parameters[i].type;
-      if (parameters[i].is_out ? from == to : ConvertsTo(from, to)) continue;
+      if (parameters[i].is_out ? from == to : ConvertsTo(types_, from, to)) continue;
       Error(DiagnosticKind::kBlockType, RangeOf(args[i]),
             "'" + std::string(parameters[i].name) + "' of " + Quoted(expr.name) + " must be " +
                 Text(to) + ", got " + Text(from))

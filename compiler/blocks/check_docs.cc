@@ -9,6 +9,7 @@
 #include "compiler/base/builtin_input.h"
 #include "compiler/base/text.h"
 #include "compiler/blocks/check.h"
+#include "compiler/blocks/limits.h"
 #include "compiler/blocks/parser.h"
 
 namespace texgraph::blocks {
@@ -38,8 +39,8 @@ struct ParameterDoc {
   std::vector<Setting> settings;
 };
 
-constexpr std::string_view kInlineTags[] = {"@default", "@range", "@unit", "@ordered",
-                                            "@not_below"};
+constexpr std::string_view kInlineTags[] = {"@default", "@length",  "@range",
+                                            "@unit",    "@ordered", "@not_below"};
 constexpr std::string_view kTags[] = {"@param", "@return", "@source"};
 
 bool IsBlank(char c) { return c == ' ' || c == '\t'; }
@@ -307,7 +308,8 @@ class DocChecker {
     if (!doc) return;
     port.help = doc->help;
     // The default is checked against the range.
-    for (std::string_view tag : {"@unit", "@range", "@default", "@ordered", "@not_below"}) {
+    for (std::string_view tag :
+         {"@unit", "@range", "@length", "@default", "@ordered", "@not_below"}) {
       for (const Setting& setting : doc->settings) {
         if (setting.tag.text == tag) SetSetting(port, setting, is_input);
       }
@@ -320,6 +322,8 @@ class DocChecker {
       port.unit = setting.value.text;
     } else if (tag == "@range") {
       SetRange(port, setting);
+    } else if (tag == "@length") {
+      SetLength(port, setting);
     } else if (IsOrder(tag)) {
       if (!is_input) Error(setting.tag.range, "an output has no '" + std::string(tag) + "'");
     } else if (!is_input || port.kind == PortKind::kTexture) {
@@ -343,11 +347,39 @@ class DocChecker {
     TypeId type = port.kind == PortKind::kField ? TypeId() : port.type;
     if (!read || !rest.text.empty() || minimum > maximum) {
       Error(setting.value.range, "a range is two numbers, the lesser first: '@range 0 1'");
-    } else if (!type || !ir::IsVector(type) || ir::IsBool(type)) {
+    } else if (!type || !ir::IsVector(ElementOf(type)) || ir::IsBool(ElementOf(type))) {
       Error(setting.tag.range, "only numbers have a range");
     } else {
       port.minimum = minimum;
       port.maximum = maximum;
+    }
+  }
+
+  // Of an array; else the type itself.
+  TypeId ElementOf(TypeId type) const {
+    const ir::Types& types = program_.module.types;
+    return types.Kind(type) == ir::TypeKind::kArray ? types.ElementType(type, 0) : type;
+  }
+
+  static bool ReadLength(std::string_view text, uint32_t& value) {
+    auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return error == std::errc() && end == text.data() + text.size() && value >= 1 &&
+           value <= kMaxArrayLength;
+  }
+
+  void SetLength(Port& port, const Setting& setting) {
+    Piece rest = setting.value;
+    Piece least = TakeWord(rest), most = TakeWord(rest);
+    uint32_t minimum = 0, maximum = 0;
+    bool read = ReadLength(least.text, minimum) && ReadLength(most.text, maximum);
+    if (port.kind != PortKind::kTemplate || !IsUnsized(program_.module.types, port.type)) {
+      Error(setting.tag.range, "only an array without a length of its own has '@length'");
+    } else if (!read || !rest.text.empty() || minimum > maximum) {
+      Error(setting.value.range,
+            "a length is two numbers from 1 to 1024, the lesser first: '@length 3 256'");
+    } else {
+      port.min_length = minimum;
+      port.max_length = maximum;
     }
   }
 
@@ -408,6 +440,14 @@ class DocChecker {
 
   void CheckDefaultRange(const Port& port, const Piece& value) {
     TypeId type = program_.module.constant(port.default_value).type;
+    if (port.max_length > 0) {
+      uint32_t length = program_.module.types.ElementCount(type);
+      if (length < port.min_length || length > port.max_length) {
+        Error(value.range, "the default is not as long as '@length' says");
+        return;
+      }
+      type = ElementOf(type);
+    }
     if (!ir::IsVector(type) || ir::IsBool(type)) return;
     bool known_word = port.words.empty();
     for (uint32_t word : program_.module.Words(port.default_value)) {

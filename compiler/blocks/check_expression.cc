@@ -100,7 +100,7 @@ TypedId BodyChecker::CheckChoose(const Expr& expr) {
           "the two values of '?' are " + Text(TypeOf(a)) + " and " + Text(TypeOf(b)));
     return {};
   }
-  if (ir::IsSampler(TypeOf(a)) || TypeOf(a) == ir::kVoid) {
+  if (ir::IsSampler(TypeOf(a)) || TypeOf(a) == ir::kVoid || IsUnsized(types_, TypeOf(a))) {
     Error(DiagnosticKind::kBlockType, expr.range,
           "'?' cannot choose between values of type " + Text(TypeOf(a)));
     return {};
@@ -190,6 +190,7 @@ TypedId BodyChecker::CheckElementIndex(const Expr& index, TypeId aggregate,
   if (!known) return value;
   // A negative one is large as well.
   uint32_t word = program_.module.Words(known)[0];
+  if (IsUnsized(types_, aggregate)) return value;
   if (word >= types_.ElementCount(aggregate)) {
     Error(DiagnosticKind::kBlockType, index.range,
           "the index is outside of " + Text(aggregate) + ", whose last one is " +
@@ -218,6 +219,12 @@ TypedId BodyChecker::CheckLength(const Expr& expr) {
     Error(DiagnosticKind::kBlockType, expr.range,
           "only arrays have '.length()'; this is " + Text(TypeOf(base)));
     return {};
+  }
+  if (IsUnsized(types_, TypeOf(base))) {
+    TypedExpr length;
+    length.kind = TypedKind::kLength;
+    length.type = ir::kInt;
+    return Add(length, {{base}}, expr.range);
   }
   return AddScalar(ir::kInt, types_.ElementCount(TypeOf(base)), expr.range);
 }

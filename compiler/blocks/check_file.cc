@@ -253,7 +253,7 @@ class FileChecker {
     for (const ParameterAst& ast : function.parameters) {
       SignatureParameter& parameter = signature.parameters.emplace_back();
       parameter.name = ast.name;
-      parameter.type = ResolveType(program_, file_, ast.type, gen_type);
+      parameter.type = ResolveType(program_, file_, ast.type, gen_type, kAnyLength);
       parameter.is_template = ast.is_const;
       parameter.is_in = !ast.is_out || ast.is_inout;
       parameter.is_out = ast.is_out;
@@ -277,18 +277,32 @@ class FileChecker {
     } else if (is_field && (ast.is_const || ast.is_out || ir::IsSampler(type))) {
       Error(DiagnosticKind::kBlockSubset, ast.range,
             "the parameters of a field are plain values that go in");
-    } else if (ast.is_const && (ast.is_out || !ir::IsVector(type))) {
+    } else if (ast.is_const && (ast.is_out || !IsTemplateType(type))) {
       Error(DiagnosticKind::kBlockType, ast.range,
             ast.is_out ? "a parameter cannot be 'const' and 'out'"
-                       : "a 'const' parameter is a scalar or a vector, not " + types_.Text(type));
+                       : "a 'const' parameter is a scalar, a vector, or an array of numbers or of "
+                         "vectors of numbers, not " +
+                             types_.Text(type));
     } else if (ast.is_out && ir::IsSampler(type)) {
       Error(DiagnosticKind::kBlockType, ast.range, "a texture cannot go out");
     } else if (is_port && ast.is_inout) {
       Error(DiagnosticKind::kBlockSubset, ast.range,
             "the parameters of a block go in or out; make two of " + quoted);
+    } else if (ast.is_const) {
+      return;
     } else if (is_port && types_.Kind(type) == ir::TypeKind::kArray) {
-      Error(DiagnosticKind::kBlockType, ast.range, "an array cannot be a port");
+      Error(DiagnosticKind::kBlockType, ast.range,
+            "an array cannot be a port, unless it is 'const'");
+    } else if (IsUnsized(types_, type)) {
+      Error(DiagnosticKind::kBlockType, ast.range,
+            "an array without a length must be a 'const' parameter");
     }
+  }
+
+  bool IsTemplateType(TypeId type) const {
+    if (types_.Kind(type) != ir::TypeKind::kArray) return ir::IsVector(type);
+    TypeId element = types_.ElementType(type, 0);
+    return ir::IsVector(element) && !ir::IsBool(element);
   }
 
   // Prototypes of functions that the file defines agree with one of them.
@@ -457,11 +471,16 @@ class FileChecker {
     file_.block.overloads.push_back(std::move(overload));
   }
 
-  static Port MakePort(std::string_view name, TypeId type, SourceRange range) {
+  Port MakePort(std::string_view name, TypeId type, SourceRange range) const {
     Port port;
     port.name = name;
     port.type = type;
     port.range = range;
+    if (type && types_.Kind(type) == ir::TypeKind::kArray) {
+      uint32_t length = types_[type].length;
+      port.min_length = length ? length : 1;
+      port.max_length = length ? length : kMaxArrayLength;
+    }
     return port;
   }
 

@@ -194,7 +194,8 @@ TypedId BodyChecker::Equality(TokenKind op, TypedId a, TypedId b, SourceRange ra
   TypedId left = a, right = b;
   Unify(left, right);
   TypeId type = TypeOf(left);
-  if (type != TypeOf(right) || type == ir::kVoid || ir::IsSampler(type)) {
+  bool compares = type != ir::kVoid && !ir::IsSampler(type) && !IsUnsized(types_, type);
+  if (type != TypeOf(right) || !compares) {
     return NoOperator(op, a, b, range);
   }
   bool equal = op == TokenKind::kEq;

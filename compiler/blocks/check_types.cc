@@ -61,6 +61,7 @@ TypeId ResolveType(Program& program, File& file, const TypeName& name, TypeId ge
                               "there are no arrays of " + types.Text(element));
     return {};
   }
+  if (!name.length && unsized_length == kAnyLength) return types.Array(element, 0);
   uint32_t length = unsized_length;
   SourceRange range = name.range;
   if (name.length) {

@@ -204,7 +204,8 @@ ir::FunctionId Library::Function(const Block& block, const Overload& overload,
   for (const Port& port : overload.inputs) {
     if (port.kind != PortKind::kTemplate) continue;
     fits = fits && next < template_values.size() && template_values[next] &&
-           impl_->module.constant(template_values[next]).type == port.type;
+           ConvertsTo(impl_->module.types, impl_->module.constant(template_values[next]).type,
+                      port.type);
     ++next;
   }
   File* file = impl_->FindFile(block.name);

@@ -46,9 +46,26 @@ ValueId ExpressionLowering::LowerWhole(const TypedExpr& expr) {
       return Call(expr, args);
     case TypedKind::kCallField:
       return CallField(expr, args);
+    case TypedKind::kLength:
+      return builder_.Int(
+          static_cast<int32_t>(builder_.module().types.ElementCount(builder_.TypeOf(args[0]))));
     default:
-      return builder_.Emit(expr.op, expr.type, args, expr.aux);
+      return expr.op == Op::kIndex ? LowerIndex(expr, args)
+                                   : builder_.Emit(expr.op, expr.type, args, expr.aux);
   }
+}
+
+// An index that follows from template values is checked as one that is written.
+ValueId ExpressionLowering::LowerIndex(const TypedExpr& expr, std::span<const ValueId> args) {
+  TypeId aggregate = builder_.TypeOf(args[0]);
+  ConstId index = Known(args[1]);
+  // A negative one is large as well.
+  if (index &&
+      builder_.module().Words(index)[0] >= builder_.module().types.ElementCount(aggregate)) {
+    OutOfRange(expr, aggregate);
+    return {};
+  }
+  return builder_.Emit(Op::kIndex, expr.type, args);
 }
 
 ValueId ExpressionLowering::LowerSwizzle(const TypedExpr& expr, ValueId vector) {
@@ -163,6 +180,7 @@ class ConstantLowering : public ExpressionLowering {
   ValueId Call(const TypedExpr&, std::span<const ValueId>) override { return {}; }
   ValueId CallField(const TypedExpr&, std::span<const ValueId>) override { return {}; }
   void TooDeep(const TypedExpr&) override {}
+  void OutOfRange(const TypedExpr&, TypeId) override {}
 };
 
 // Arrays and structs are put together from their elements' words: they may be larger than what is

@@ -30,6 +30,8 @@ class ExpressionLowering {
   virtual ir::ValueId Call(const TypedExpr& expr, std::span<const ir::ValueId> arguments) = 0;
   virtual ir::ValueId CallField(const TypedExpr& expr, std::span<const ir::ValueId> arguments) = 0;
   virtual void TooDeep(const TypedExpr& expr) = 0;
+  // The index of `expr` is known, and not one of `aggregate`'s.
+  virtual void OutOfRange(const TypedExpr& expr, ir::TypeId aggregate) = 0;
 
   std::optional<bool> KnownBool(ir::ValueId value);
   // Says what an instruction's value is, where folding was done elsewhere.
@@ -41,7 +43,7 @@ class ExpressionLowering {
 
  private:
   ir::ValueId LowerWhole(const TypedExpr& expr);
-  ir::ValueId LowerOperation(const TypedExpr& expr, std::span<const ir::ValueId> args);
+  ir::ValueId LowerIndex(const TypedExpr& expr, std::span<const ir::ValueId> args);
   ir::ValueId LowerSwizzle(const TypedExpr& expr, ir::ValueId vector);
   ir::ValueId LowerChoose(const TypedExpr& expr);
   bool IsCheap(TypedId id) const;

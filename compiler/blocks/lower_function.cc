@@ -41,6 +41,14 @@ bool FunctionLowering::Enter(SourceRange range, uint32_t units) {
 
 void FunctionLowering::TooDeep(const TypedExpr& expr) { Enter(RangeOf(expr), kMaxLoweringDepth); }
 
+void FunctionLowering::OutOfRange(const TypedExpr& expr, TypeId aggregate) {
+  const ir::Types& types = builder_.module().types;
+  SourceRange index = RangeOf(function_[function_.children[expr.first_child + 1]]);
+  Error(DiagnosticKind::kBlockType, index,
+        "the index is outside of " + types.Text(aggregate) + ", whose last one is " +
+            std::to_string(types.ElementCount(aggregate) - 1));
+}
+
 // --- The function
 // ------------------------------------------------------------------------------------------------
 
@@ -72,7 +80,12 @@ void FunctionLowering::AddParameters(std::span<const ConstId> values) {
     const SignatureParameter& parameter = signature_.parameters[slot];
     std::string name(parameter.name);
     if (parameter.is_template) {
-      slots_[slot] = builder_.Const(values[next_value++]);
+      ConstId value = values[next_value++];
+      slots_[slot] = builder_.Const(value);
+      ir::Module& module = builder_.module();
+      if (module.types.Kind(module.constant(value).type) == ir::TypeKind::kArray) {
+        module.constant_names.try_emplace(value, module.InternName(name));
+      }
     } else if (parameter.is_in) {
       slots_[slot] = builder_.AddParameter({name, parameter.type, false});
     } else {

@@ -29,6 +29,7 @@ class FunctionLowering : public ExpressionLowering {
   ir::ValueId Call(const TypedExpr& expr, std::span<const ir::ValueId> arguments) override;
   ir::ValueId CallField(const TypedExpr& expr, std::span<const ir::ValueId> arguments) override;
   void TooDeep(const TypedExpr& expr) override;
+  void OutOfRange(const TypedExpr& expr, ir::TypeId aggregate) override;
 
  private:
   using List = std::vector<TypedStmt>;

@@ -2,12 +2,14 @@
 #include "compiler/blocks/plain_glsl.h"
 
 #include <algorithm>
+#include <deque>
 #include <map>
 #include <set>
 #include <utility>
 #include <vector>
 
 #include "compiler/blocks/file.h"
+#include "compiler/blocks/limits.h"
 
 namespace texgraph::blocks {
 namespace {
@@ -86,6 +88,24 @@ class Writer {
     for (const ConstantAst& constant : file.ast->constants) add(constant.whole, false);
     for (const FunctionAst& function : file.ast->functions) {
       add(function.whole, IsGeneric(function) && !IsBound(file, function));
+    }
+    // Where GLSL wants a length, and blocks have none.
+    std::set<uint32_t> lengths;
+    for (const FunctionAst& function : file.ast->functions) {
+      for (const ParameterAst& parameter : function.parameters) {
+        if (!parameter.type.is_array || parameter.type.length) continue;
+        lengths.insert(static_cast<uint32_t>(source.find(']', parameter.type.range.begin)));
+      }
+    }
+    std::deque<std::string> filled;
+    for (auto& [position, piece] : pieces) {
+      uint32_t end = position + static_cast<uint32_t>(piece.first.size());
+      if (lengths.lower_bound(position) == lengths.lower_bound(end)) continue;
+      std::string& text = filled.emplace_back(piece.first);
+      for (auto at = lengths.lower_bound(end); at != lengths.lower_bound(position);) {
+        text.insert(*--at - position, std::to_string(kMaxArrayLength));
+      }
+      piece.first = text;
     }
     for (const auto& [position, piece] : pieces) {
       if (piece.second) {

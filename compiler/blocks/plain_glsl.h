@@ -11,7 +11,7 @@ namespace texgraph::blocks {
 
 // The file's own text behind the shared types, prototypes of the footprint and the functions of the
 // blocks that it calls; with genType defined as `overload.gen_type`, or as float if it stands for
-// nothing. Version 4.50.
+// nothing, and arrays of any length with the greatest one. Version 4.50.
 std::string PlainGlsl(Library& library, const Sources& sources, const Block& block,
                       const Overload& overload);
 

@@ -26,6 +26,7 @@ enum class TypedKind : uint8_t {
   kConstruct,  // a vector from scalars and vectors, a struct or an array from its elements
   kSwizzle,    // aux: mask
   kComposite,  // a function or operator that is several operations
+  kLength,     // of an array whose type does not tell
   kChoose,     // condition, value if true, value if false
   kCall,  // aux: callee; children: the arguments that go in, without those of template parameters
           // and fields

@@ -16,7 +16,8 @@ bool Fail(const DocumentNode& node, std::string message, Diagnostics& diagnostic
   return false;
 }
 
-// One row of a matrix, or a vector; `columns` is the number that it must have, 0 for any.
+// One row of a list of vectors or of a matrix, or a vector; `columns` is the number that it must
+// have, 0 for any.
 bool ReadRow(const Document& document, const DocumentNode& row, uint32_t columns,
              Argument& argument, Diagnostics& diagnostics) {
   if (columns != 0 && row.child_count != columns) {
@@ -41,6 +42,7 @@ bool ReadVector(const Document& document, const DocumentNode& node, Argument& ar
   const DocumentNode& first = document.nodes[node.first_child];
   if (first.kind != DocumentKind::kArray) return ReadRow(document, node, 0, argument, diagnostics);
   if (first.child_count == 0) return Fail(first, "an empty array is no value", diagnostics);
+  argument.columns = first.child_count;
   for (const DocumentNode& row : document.children(node)) {
     if (row.kind != DocumentKind::kArray) {
       return Fail(row, fmt::format("expected a row like the first, got {}", KindText(row.kind)),

@@ -53,8 +53,11 @@ std::optional<BoundPort> SubgraphChecker::BindLiteral(const Target& target,
                                                       const Argument& argument) {
   ir::TypeId type = target.port.type;
   auto value = MakeLiteral(argument, type, target.place, check_.module, check_.diagnostics);
-  if (!value || !CheckLimits(*value, LimitsOf(target.port), argument.range, target.place,
-                             check_.module, check_.diagnostics)) {
+  if (!value ||
+      !CheckLength(*value, target.port.min_length, target.port.max_length, argument.range,
+                   target.place, check_.module, check_.diagnostics) ||
+      !CheckLimits(*value, LimitsOf(target.port), argument.range, target.place, check_.module,
+                   check_.diagnostics)) {
     return std::nullopt;
   }
   return BoundPort{ConstantValue{*value}, type, type, {}, argument.range};

@@ -66,6 +66,7 @@ struct Argument {
   Kind kind = Kind::kNumber;
   bool boolean = false;
   bool is_integer = false;  // all numbers were written without '.' and exponent
+  uint32_t columns = 0;     // kVector: the numbers in each row, 0 if there are no rows
   Numbers numbers;          // kNumber: one; kVector: all components
   std::string_view text;    // kString
   SourceRange range;

@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "compiler/blocks/limits.h"
 #include "compiler/graph/conversion.h"
 
 namespace texgraph::graph {
@@ -68,14 +69,47 @@ double Decode(uint32_t word, ir::Scalar scalar) {
   return std::bit_cast<float>(word);
 }
 
+// Whether there is a number for each word of the type. Vectors in an array stand in rows of their
+// own.
+bool HasNumbers(const Argument& argument, ir::TypeId type, const ir::Types& types) {
+  size_t count = argument.numbers.size();
+  if (types.Kind(type) != ir::TypeKind::kArray) return count == types.Words(type);
+  ir::TypeId element = types.ElementType(type, 0);
+  uint32_t columns = ir::IsVector(element) && !ir::IsScalar(element) ? ir::Width(element) : 0;
+  if (argument.columns != columns) return false;
+  return types[type].length == 0 || count == types.Words(type);
+}
+
+// The type with the argument's length, if it is an array of any.
+ir::TypeId WithLength(const Argument& argument, ir::TypeId type, ir::Types& types) {
+  if (types.Kind(type) != ir::TypeKind::kArray || types[type].length > 0) return type;
+  ir::TypeId element = types.ElementType(type, 0);
+  size_t length = argument.numbers.size() / types.Words(element);
+  return types.Array(element, static_cast<uint32_t>(length));
+}
+
+// How the value of an array is written, for one that has other rows.
+std::string RowsHint(const Argument& argument, ir::TypeId type, const ir::Types& types) {
+  if (types.Kind(type) != ir::TypeKind::kArray) return {};
+  ir::TypeId element = types.ElementType(type, 0);
+  if (!ir::IsVector(element) || ir::IsScalar(element)) {
+    return argument.columns > 0 ? "; write all numbers in one row: [1, 2, 3]" : "";
+  }
+  if (argument.columns == ir::Width(element)) return {};
+  std::string row = "1";
+  for (uint32_t i = 1; i < ir::Width(element); ++i) row += fmt::format(", {}", i + 1);
+  return fmt::format("; write each {} as a row: [[{}], ...]", types.Text(element), row);
+}
+
 std::nullopt_t ReportMismatch(const Argument& argument, ir::TypeId type, const Place& place,
                               const ir::Types& types, Diagnostics& diagnostics) {
   std::string_view hint;
   if (argument.kind == Argument::Kind::kString) hint = TextHint(argument.text);
   if (argument.kind == Argument::Kind::kNumber && type == ir::kBool) hint = "; write true or false";
-  place.AddNote(diagnostics.Error(place.mismatch, argument.range,
-                                  fmt::format("{} takes {}, got {}{}", place.Text(),
-                                              types.Text(type), ArgumentText(argument), hint)));
+  place.AddNote(diagnostics.Error(
+      place.mismatch, argument.range,
+      fmt::format("{} takes {}, got {}{}{}", place.Text(), types.Text(type), ArgumentText(argument),
+                  hint, RowsHint(argument, type, types))));
   return std::nullopt;
 }
 
@@ -125,6 +159,12 @@ std::string ArgumentText(const Argument& argument) {
     case Argument::Kind::kBool:
       return argument.boolean ? "true" : "false";
     case Argument::Kind::kVector:
+      if (argument.columns > 0) {
+        size_t rows = argument.numbers.size() / argument.columns;
+        return fmt::format("{} row{} of {} number{}{}", rows, rows == 1 ? "" : "s",
+                           argument.columns, argument.columns == 1 ? "" : "s",
+                           argument.is_integer ? "" : " with fractions");
+      }
       return fmt::format("{} number{}{}", argument.numbers.size(),
                          argument.numbers.size() == 1 ? "" : "s",
                          argument.is_integer ? "" : " with fractions");
@@ -156,7 +196,7 @@ std::optional<int> LiteralCost(const Argument& argument, ir::TypeId type, const 
     if (!ir::IsVector(type)) return std::nullopt;
     return ir::IsScalar(type) ? cost : cost + 1;
   }
-  bool fits = !ir::IsScalar(type) && argument.numbers.size() == types.Words(type);
+  bool fits = !ir::IsScalar(type) && HasNumbers(argument, type, types);
   return fits ? std::optional<int>(cost) : std::nullopt;
 }
 
@@ -164,9 +204,14 @@ std::optional<ir::ConstId> MakeLiteral(const Argument& argument, ir::TypeId type
                                        const Place& place, ir::Module& module,
                                        Diagnostics& diagnostics) {
   const ir::Types& types = module.types;
-  auto mismatch = [&] { return ReportMismatch(argument, type, place, types, diagnostics); };
+  const ir::TypeId wanted = type;
+  auto mismatch = [&] { return ReportMismatch(argument, wanted, place, types, diagnostics); };
   std::optional<ir::Scalar> scalar = ScalarOfWords(type, types);
   if (!scalar || argument.kind == Argument::Kind::kString) return mismatch();
+  bool splat = argument.kind == Argument::Kind::kNumber && ir::IsVector(type);
+  bool list = argument.kind == Argument::Kind::kVector && !ir::IsScalar(type);
+  if (list && !HasNumbers(argument, type, types)) return mismatch();
+  if (list) type = WithLength(argument, type, module.types);
   std::array<uint32_t, 16> few;
   std::vector<uint32_t> many(types.Words(type) > few.size() ? types.Words(type) : 0);
   const std::span<uint32_t> words(many.empty() ? few.data() : many.data(), types.Words(type));
@@ -175,9 +220,7 @@ std::optional<ir::ConstId> MakeLiteral(const Argument& argument, ir::TypeId type
     if (!LiteralCost(argument, type, types)) return mismatch();
     return module.Intern(type, words);
   }
-  bool splat = argument.kind == Argument::Kind::kNumber && ir::IsVector(type);
-  bool list = argument.kind == Argument::Kind::kVector && !ir::IsScalar(type);
-  if (!splat && !(list && argument.numbers.size() == words.size())) return mismatch();
+  if (!splat && !list) return mismatch();
   for (size_t i = 0; i < words.size(); ++i) {
     double number = argument.numbers[splat ? 0 : i];
     uint32_t& word = words[ir::IsMatrix(type) ? MatrixWord(i, ir::MatrixSize(type)) : i];
@@ -193,7 +236,7 @@ std::optional<ir::ConstId> MakeLiteral(const Argument& argument, ir::TypeId type
         place.AddNote(
             diagnostics.Error(DiagnosticKind::kNumberRange, argument.range,
                               fmt::format("{} takes {}; {} is out of its range", place.Text(),
-                                          types.Text(type), NumberText(number))));
+                                          types.Text(wanted), NumberText(number))));
         return std::nullopt;
       case Encoding::kWrongKind:
         return mismatch();
@@ -211,6 +254,20 @@ ir::ConstId ConvertConstant(ir::ConstId constant, ir::TypeId type, ir::Module& m
   }
   std::vector<uint32_t> words(module.types.Words(type), word);
   return module.Intern(type, words);
+}
+
+bool CheckLength(ir::ConstId constant, uint32_t minimum, uint32_t maximum, SourceRange range,
+                 const Place& place, const ir::Module& module, Diagnostics& diagnostics) {
+  ir::TypeId type = module.constant(constant).type;
+  if (module.types.Kind(type) != ir::TypeKind::kArray) return true;
+  uint32_t length = module.types.ElementCount(type);
+  if (length >= minimum && length <= maximum) return true;
+  DiagnosticKind kind =
+      length > blocks::kMaxArrayLength ? DiagnosticKind::kSizeLimit : DiagnosticKind::kValueRange;
+  place.AddNote(diagnostics.Error(
+      kind, range,
+      fmt::format("{} takes {} to {} elements, got {}", place.Text(), minimum, maximum, length)));
+  return false;
 }
 
 bool CheckLimits(ir::ConstId constant, const ValueLimits& limits, SourceRange range,

@@ -39,14 +39,19 @@ std::string_view TextHint(std::string_view text);
 // of numbers, not at their sizes.
 std::optional<int> LiteralCost(const Argument& argument, ir::TypeId type, const ir::Types& types);
 
-// The literal as a constant. Reports what does not fit: its kind as place.mismatch, its size as
-// kNumberRange; a float that becomes zero with a warning.
+// The literal as a constant; of an array of any length, with as many elements as there are. Reports
+// what does not fit: its kind as place.mismatch, its size as kNumberRange; a float that becomes
+// zero with a warning.
 std::optional<ir::ConstId> MakeLiteral(const Argument& argument, ir::TypeId type,
                                        const Place& place, ir::Module& module,
                                        Diagnostics& diagnostics);
 
 // A constant in another type, to which ConversionCost leads.
 ir::ConstId ConvertConstant(ir::ConstId constant, ir::TypeId type, ir::Module& module);
+
+// False, with kValueRange or kSizeLimit at `range`, if an array has too few elements or too many.
+bool CheckLength(ir::ConstId constant, uint32_t minimum, uint32_t maximum, SourceRange range,
+                 const Place& place, const ir::Module& module, Diagnostics& diagnostics);
 
 struct ValueLimits {
   std::optional<double> minimum, maximum;  // of each component

@@ -10,6 +10,10 @@ constexpr std::string_view kBasicNames[kBasicTypeCount] = {
     "void", "bool",  "bvec2", "bvec3", "bvec4", "int",  "ivec2", "ivec3", "ivec4",     "uint",           "uvec2",    "uvec3",
     "uvec4", "float", "vec2",  "vec3",  "vec4",  "mat2", "mat3",  "mat4",  "sampler2D", "sampler2DArray", "sampler3D"};
 
+std::string ArrayText(const std::string& element, uint32_t length) {
+  return element + "[" + (length ? std::to_string(length) : "") + "]";
+}
+
 }  // namespace
 
 Types::Types() {
@@ -65,7 +69,7 @@ TypeId Types::Struct(std::string_view name, std::vector<StructField> fields) {
 }
 
 TypeId Types::Array(TypeId element, uint32_t length) {
-  std::string text = Text(element) + "[" + std::to_string(length) + "]";
+  std::string text = ArrayText(Text(element), length);
   if (auto known = by_text_.find(text); known != by_text_.end()) return known->second;
   Type type;
   type.kind = TypeKind::kArray;
@@ -129,7 +133,7 @@ uint32_t Types::ElementCount(TypeId aggregate) const {
 std::string Types::Text(TypeId id) const {
   const Type& type = types_[id.index];
   switch (type.kind) {
-    case TypeKind::kArray: return Text(type.elements[0]) + "[" + std::to_string(type.length) + "]";
+    case TypeKind::kArray: return ArrayText(Text(type.elements[0]), type.length);
     case TypeKind::kTuple: {
       std::string text = "(";
       for (size_t i = 0; i < type.elements.size(); ++i) {

@@ -62,7 +62,7 @@ struct Type {
   std::string name;                 // "vec3", "Tile"; empty for arrays, tuples and fields
   std::vector<StructField> fields;  // kStruct
   std::vector<TypeId> elements;     // kTuple: the elements. kArray: the element. kField: result, then parameters
-  uint32_t length = 0;              // kArray
+  uint32_t length = 0;              // kArray; 0: any, which only signatures of blocks have
 };
 
 class Types {

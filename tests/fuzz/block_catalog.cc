@@ -136,6 +136,10 @@ const Overload* BlockCatalog::Choose(std::span<const Overload> overloads,
 }
 
 bool BlockCatalog::WithinLimits(const Port& port, const graph::Argument& literal) const {
+  if (port.max_length > 0) {
+    const size_t length = literal.numbers.size() / std::max(literal.columns, 1u);
+    if (length < port.min_length || length > port.max_length) return false;
+  }
   for (double number : literal.numbers) {
     const auto value = static_cast<float>(number);
     if (port.minimum && value < static_cast<float>(*port.minimum)) return false;

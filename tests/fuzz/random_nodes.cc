@@ -45,7 +45,7 @@ double RandomNodes::Number(const Port& port, ir::Scalar scalar, size_t component
     high = std::min(*port.maximum, std::max(low + 1, kMostWhole));
   } else if (port.default_value.valid()) {
     const auto words = catalog_.Words(port.default_value);
-    const double value = ir::IsFloat(port.type)
+    const double value = scalar == ir::Scalar::kFloat
                              ? std::bit_cast<float>(words[component % words.size()])
                              : static_cast<int32_t>(words[component % words.size()]);
     low = value == 0 ? 0 : value / 2;
@@ -78,6 +78,7 @@ std::optional<Argument> RandomNodes::Literal(const Port& port) {
     }
     return literal;
   }
+  if (port.max_length > 0) return List(port);
   const bool vector = ir::IsVector(type);
   if (!vector && !ir::IsMatrix(type)) return std::nullopt;
   if (ir::IsBool(type)) {
@@ -100,6 +101,26 @@ std::optional<Argument> RandomNodes::Literal(const Port& port) {
   return literal;
 }
 
+// Few elements more often than as many as it may have. Whole numbers are what a path's points tell
+// themselves apart by.
+Argument RandomNodes::List(const Port& port) {
+  const ir::TypeId element = catalog_.types().ElementType(port.type, 0);
+  const uint32_t most = std::min(port.max_length, OneIn(16) ? 100u : 12u);
+  const uint32_t length =
+      port.min_length + Below(std::max(most, port.min_length) - port.min_length + 1);
+  const bool whole = OneIn(4);
+  Argument list;
+  list.kind = Argument::Kind::kVector;
+  list.columns = ir::IsScalar(element) ? 0 : ir::Width(element);
+  for (uint32_t i = 0; i < length * ir::Width(element); ++i) {
+    const double number = Number(port, ir::ScalarOf(element), i);
+    const bool kind = list.columns == 3 && i % 3 == 2;
+    list.numbers.push_back(kind ? Below(3) : whole ? std::floor(number) : number);
+  }
+  list.is_integer = ir::ScalarOf(element) != ir::Scalar::kFloat || whole;
+  return list;
+}
+
 Tree RandomNodes::TreeOf(const Argument& literal) {
   const auto number = [&](double value) {
     if (literal.is_integer) return Tree::Raw(fmt::format("{:.0f}", value));
@@ -118,7 +139,8 @@ Tree RandomNodes::TreeOf(const Argument& literal) {
   }
   Tree array = Tree::Array();
   const size_t count = literal.numbers.size();
-  const size_t side = count == 9 ? 3 : count == 16 ? 4 : 0;  // matrices, row by row
+  // Matrices, row by row; lists of vectors.
+  const size_t side = literal.columns ? literal.columns : count == 9 ? 3 : count == 16 ? 4 : 0;
   Tree* row = &array;
   for (size_t i = 0; i < count; ++i) {
     if (side > 0 && i % side == 0) row = &array.Add(Tree::Array());

@@ -39,6 +39,7 @@ class RandomNodes {
                                    PortArgument& argument);
   // A literal for the port. None if its type has none.
   std::optional<graph::Argument> Literal(const blocks::Port& port);
+  graph::Argument List(const blocks::Port& port);
   Tree TreeOf(const graph::Argument& literal);
   const std::deque<Thing>& things() const { return things_; }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
+#include <algorithm>
 #include <bit>
 #include <filesystem>
 #include <fstream>
@@ -50,11 +51,18 @@ ir::FunctionId TestLibrary::Function(std::string_view name, size_t overload,
   size_t next = 0;
   for (const Port& port : block->overloads[overload].inputs) {
     if (port.kind != PortKind::kTemplate) continue;
-    std::vector<uint32_t> words(module.types.Words(port.type));
+    ir::TypeId type = ValueType(module, port);
+    std::vector<uint32_t> words(module.types.Words(type));
     for (uint32_t& word : words) word = next < template_words.size() ? template_words[next++] : 0;
-    values.push_back(module.Intern(port.type, words));
+    values.push_back(module.Intern(type, words));
   }
   return library.Function(*block, block->overloads[overload], values);
+}
+
+ir::TypeId ValueType(ir::Module& module, const Port& port) {
+  if (port.max_length == 0) return port.type;
+  uint32_t length = std::clamp(2u, port.min_length, port.max_length);
+  return module.types.Array(module.types.ElementType(port.type, 0), length);
 }
 
 std::string TestLibrary::Report() const {

@@ -52,6 +52,9 @@ struct TestLibrary {
   Library library;
 };
 
+// The type of a template port's values: an array gets two elements, or as many as it must have.
+ir::TypeId ValueType(ir::Module& module, const Port& port);
+
 // The report about a single file x.glsl, whose block and all its overloads are asked for with
 // template values of 2 or true; with
 // "^" for every line that the report would have, as in `expected`:

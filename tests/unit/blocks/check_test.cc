@@ -123,7 +123,7 @@ TEST(BlockTypes, Signatures) {
   EXPECT_EQ(ReportOf("void x(float a) { }"),
             "1:6: a block returns a value or has an 'out' parameter [block-type]\n");
   EXPECT_EQ(ReportOf("float x(float w[2]) { return w[0]; }"),
-            "1:15: an array cannot be a port [block-type]\n");
+            "1:15: an array cannot be a port, unless it is 'const' [block-type]\n");
   EXPECT_EQ(ReportOf("void x(inout float a) { a = 1.0; }"),
             "1:20: the parameters of a block go in or out; make two of 'a' [block-subset]\n");
   EXPECT_EQ(ReportOf("void x(out sampler2D s) { }"),
@@ -131,7 +131,8 @@ TEST(BlockTypes, Signatures) {
   EXPECT_EQ(ReportOf("sampler2D x(sampler2D s) { return s; }"),
             "1:1: a function cannot return a texture [block-type]\n");
   EXPECT_EQ(ReportOf("float x(const mat2 m) { return 1.0; }"),
-            "1:20: a 'const' parameter is a scalar or a vector, not mat2 [block-type]\n");
+            "1:20: a 'const' parameter is a scalar, a vector, or an array of numbers or of "
+            "vectors of numbers, not mat2 [block-type]\n");
   EXPECT_EQ(ReportOf("float x(void a) { return 1.0; }"),
             "1:9: a parameter cannot be void [block-type]\n");
   EXPECT_EQ(ReportOf("void f(vec2 p);\nfloat x() { return 1.0; }"),
@@ -142,6 +143,47 @@ TEST(BlockTypes, Signatures) {
   EXPECT_EQ(ReportOf("float x(float a) { if (a > 1.0) return a; }"),
             "1:7: 'x' may end without returning a value [block-type]\n");
   EXPECT_EQ(ReportOf("float x(float a) { if (a > 1.0) return a; else return 2.0; }"), "");
+}
+
+TEST(BlockTypes, ArraysOfAnyLength) {
+  EXPECT_EQ(ReportOf("float x(const float w[], const vec4[] c, const ivec2 i[3]) {\n"
+                     "  return w[w.length() - 1] + c[1].x + float(i[2].y); }"),
+            "");
+  EXPECT_EQ(ReportOf("float x(const bool w[]) { return 1.0; }"),
+            "1:20: a 'const' parameter is a scalar, a vector, or an array of numbers or of "
+            "vectors of numbers, not bool[] [block-type]\n");
+  EXPECT_EQ(ReportOf("float x(float w[]) { return 1.0; }"),
+            "1:15: an array cannot be a port, unless it is 'const' [block-type]\n");
+  EXPECT_EQ(ReportOf("float f(float w[]) { return w[0]; }\nfloat x() { return 1.0; }"),
+            "1:15: an array without a length must be a 'const' parameter [block-type]\n");
+  EXPECT_EQ(ReportOf("float f(const float w[]);\nfloat x() { return 1.0; }"),
+            "1:21: the parameters of a field are plain values that go in [block-subset]\n");
+  EXPECT_EQ(ReportOf("struct S { float w[]; };\nfloat x() { return 1.0; }"),
+            "1:12: an array has at least one element, and its length is written "
+            "[block-constant]\n");
+  // What has no length cannot be copied, compared or chosen.
+  EXPECT_EQ(ReportOf("float x(const float w[]) { float v[2] = w; return v[0]; }"),
+            "1:41: the value of 'v' must be float[2], got float[] [block-type]\n");
+  EXPECT_EQ(ReportOf("float x(const int a[], const int b[]) { return a == b ? 1.0 : 0.0; }"),
+            "1:48: '==' does not take int[] and int[] [block-type]\n");
+  EXPECT_EQ(ReportOf("float x(bool c, const float a[], const float b[]) {\n"
+                     "  return (c ? a : b)[0]; }"),
+            "2:10: '?' cannot choose between values of type float[] [block-type]\n");
+  EXPECT_EQ(ReportOf("float x(const float w[]) { w[0] = 1.0; return w[0]; }"),
+            "1:28: 'w' cannot be assigned to [block-type]\n"
+            "  1:21: it is a constant or the index of a loop\n");
+}
+
+// What is known of an index when the length is.
+TEST(BlockTypes, IndexesOfArraysOfAnyLength) {
+  EXPECT_EQ(ReportOf("float x(const float w[], const int n) { return w[n - 1]; }"),
+            "1:50: the index is outside of float[2], whose last one is 1 [block-type]\n");
+  EXPECT_EQ(ReportOf("float x(const float w[]) { return w[w.length() - 3]; }"),
+            "1:37: the index is outside of float[2], whose last one is 1 [block-type]\n");
+  EXPECT_EQ(ReportOf("float x(const float w[]) { return w.length() > 2 ? w[2] : w[1]; }"), "");
+  EXPECT_EQ(ReportOf("float x(const float w[], const float v[]) { float s = 0.0;\n"
+                     "  for (int i = 0; i < w.length(); i++) { s += v[i]; } return s; }"),
+            "");
 }
 
 TEST(BlockTypes, Operators) {

@@ -212,6 +212,54 @@ TEST(BlockDocs, Mistakes) {
             "1:26: the value must be float, got bool [block-doc]\n");
 }
 
+TEST(BlockDocs, Lengths) {
+  TestLibrary test(Files{
+      {"x.glsl",
+       "const vec2 LINE[2] = vec2[](vec2(0.0), vec2(1.0));\n"
+       "/// X.\n/// @param a some @length 2 8 @default LINE\n///   or more\n"
+       "/// @param b any @range 0 1 @default float[](0.5, 1.0, 0.25)\n"
+       "/// @param c four\n"
+       "float x(const vec2 a[], const float b[], const ivec2 c[4], const int d) { return b[0]; }"}});
+  const Block* block = test.library.Find("x");
+  ASSERT_NE(block, nullptr) << test.Report();
+  const std::vector<Port>& in = block->overloads[0].inputs;
+  std::vector<std::string> lengths;
+  for (const Port& port : in) {
+    EXPECT_EQ(port.kind, PortKind::kTemplate);
+    lengths.push_back(std::to_string(port.min_length) + "-" + std::to_string(port.max_length));
+  }
+  EXPECT_THAT(lengths, ElementsAre("2-8", "1-1024", "4-4", "0-0"));
+  EXPECT_EQ(in[0].help, "some or more");
+  EXPECT_THAT(test.module.Words(in[0].default_value),
+              ElementsAre(0u, 0u, Bits(1.0f), Bits(1.0f)));
+  EXPECT_THAT(test.module.Words(in[1].default_value),
+              ElementsAre(Bits(0.5f), Bits(1.0f), Bits(0.25f)));
+  auto report = [](std::string_view doc) {
+    return ReportOf("/// X.\n" + std::string(doc) +
+                    "\nfloat x(float a, const float b[], const float c[3]) { return a; }");
+  };
+  const std::string kLength =
+      "2:25: a length is two numbers from 1 to 1024, the lesser first: '@length 3 256' "
+      "[block-doc]\n";
+  for (const char* wrong : {"3", "3 2", "0 2", "1 1025", "1.0 2", "1 2 3", "-1 2"}) {
+    EXPECT_EQ(report(std::string("/// @param b it @length ") + wrong), kLength) << wrong;
+  }
+  for (const char* other : {"a", "c"}) {
+    EXPECT_EQ(report("/// @param " + std::string(other) + " it @length 1 2"),
+              "2:17: only an array without a length of its own has '@length' [block-doc]\n");
+  }
+  EXPECT_EQ(report("/// @param b it @length 2 3 @default float[](1.0)"),
+            "2:38: the default is not as long as '@length' says [block-doc]\n");
+  EXPECT_EQ(report("/// @param b it @range 0 1 @default float[](0.5, 2.0)"),
+            "2:37: the default is outside of the range [block-doc]\n");
+  EXPECT_EQ(report("/// @param b it @default vec2[](vec2(1))"),
+            "2:26: the value must be float[], got vec2[1] [block-doc]\n");
+  EXPECT_EQ(report("/// @param b it @default 1.0"),
+            "2:26: the value must be float[], got float [block-doc]\n");
+  EXPECT_EQ(report("/// @param c it @default float[](1.0)"),
+            "2:26: the value must be float[3], got float[1] [block-doc]\n");
+}
+
 TEST(BlockDocs, LeastAndGreatest) {
   TestLibrary test(Files{{"x.glsl",
                           "/// X.\n/// @param a the least @default 1\n"

@@ -54,8 +54,9 @@ std::string Try(std::string_view name, const std::string& text, bool fold) {
     std::vector<ir::ConstId> values;
     for (const Port& port : overload.inputs) {
       if (port.kind != PortKind::kTemplate) continue;
-      std::vector<uint32_t> words(module.types.Words(port.type), 1);
-      values.push_back(port.default_value ? port.default_value : module.Intern(port.type, words));
+      ir::TypeId type = ValueType(module, port);
+      std::vector<uint32_t> words(module.types.Words(type), 1);
+      values.push_back(port.default_value ? port.default_value : module.Intern(type, words));
     }
     bool made =
         lowering.Function(file, overload.function, overload.gen_type, values, {}).id.valid();
@@ -125,6 +126,8 @@ std::string Piece(Random& random, const std::string& text) {
                                         ".x",
                                         ".yx",
                                         ".length()",
+                                        "const vec2 p[]",
+                                        "@length 1 2 ",
                                         "++",
                                         "--",
                                         "+=",

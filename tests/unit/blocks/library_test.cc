@@ -33,9 +33,9 @@ std::vector<ir::ConstId> ValuesOf(ir::Module& module, const Port& port) {
   }
   if (!values.empty()) return values;
   for (uint32_t bits : {0u, 1u}) {
-    if (ir::IsFloat(port.type) && bits) bits = Bits(1.0f);
-    values.push_back(
-        module.Intern(port.type, std::vector<uint32_t>(module.types.Words(port.type), bits)));
+    ir::TypeId type = ValueType(module, port);
+    if (ir::IsFloat(type) && bits) bits = Bits(1.0f);
+    values.push_back(module.Intern(type, std::vector<uint32_t>(module.types.Words(type), bits)));
   }
   return values;
 }

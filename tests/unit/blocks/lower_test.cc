@@ -93,6 +93,47 @@ TEST(BlockLowering, MakesEachCombinationOnce) {
   EXPECT_EQ(RunFunction(test.module, three, {{Bits(1.0f)}})[0][0], Bits(3.0f + 3 + 4));
 }
 
+// One function for each content of an array, and for each length.
+TEST(BlockLowering, ArraysOfAnyLength) {
+  TestLibrary test(Files{
+      {"sum.glsl",
+       "float sum(const vec2 p[], float a) {\n"
+       "  for (int i = 0; i < p.length(); i++) { a += p[i].x * p[p.length() - 1 - i].y; }\n"
+       "  return a; }"},
+      {"x.glsl",
+       "const vec2 KNOWN[3] = vec2[](vec2(1.0, 2.0), vec2(3.0, 4.0), vec2(5.0, 6.0));\n"
+       "float twice(const vec2 q[], const float f) { return sum(q, f) * float(q.length()); }\n"
+       "float x(const vec2 p[]) { return twice(p, 0.5) + sum(KNOWN, 0.0); }"}});
+  const Block* block = test.library.Find("x");
+  ASSERT_NE(block, nullptr) << test.Report();
+  const Port& port = block->overloads[0].inputs[0];
+  EXPECT_EQ(test.module.types.Text(port.type), "vec2[]");
+  auto function = [&](const std::vector<float>& numbers) {
+    ir::TypeId type = test.module.types.Array(ir::kVec2, static_cast<uint32_t>(numbers.size() / 2));
+    ir::ConstId points = test.module.Intern(type, Bits(numbers));
+    return test.library.Function(*block, block->overloads[0], {{points}});
+  };
+  auto expected = [](const std::vector<float>& p) {
+    float sum = 0.5f, known = 1 * 6 + 3 * 4 + 5 * 2;
+    for (size_t i = 0; i < p.size(); i += 2) sum += p[i] * p[p.size() - 1 - i];
+    return Bits(sum * static_cast<float>(p.size() / 2) + known);
+  };
+  const std::vector<float> one = {7, 8}, two = {1, 2, 3, 4}, other = {1, 2, 3, 5};
+  for (const std::vector<float>& numbers : {one, two, other}) {
+    ir::FunctionId id = function(numbers);
+    ASSERT_TRUE(id.valid()) << test.Report();
+    EXPECT_EQ(RunFunction(test.module, id, {})[0][0], expected(numbers));
+  }
+  EXPECT_EQ(function(two), function(two));
+  EXPECT_NE(function(two), function(other));
+  // sum(KNOWN) is made once; x, twice and sum(p) once for each content.
+  EXPECT_EQ(test.module.functions.size(), 1u + 3 * 3);
+  // Shaders name it as the block does.
+  ir::ConstId points = test.module.Intern(test.module.types.Array(ir::kVec2, 2), Bits(two));
+  ASSERT_TRUE(test.module.constant_names.contains(points));
+  EXPECT_EQ(test.module.Name(test.module.constant_names.at(points)), "p");
+}
+
 TEST(BlockLowering, ChoosesBetweenCheapValuesAndBranchesOtherwise) {
   EXPECT_THAT(Printed("float x(float a) { return a > 0.0 ? a * 2.0 : -a; }"), HasSubstr("select"));
   EXPECT_THAT(
