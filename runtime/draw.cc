@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <bit>
 #include <chrono>
+#include <memory>
 
 #include "runtime/gl_program.h"
 #include "runtime/gl_texture.h"
+#include "runtime/mesh_painter.h"
 #include "runtime/pixels.h"
 
 namespace texgraph::runtime {
@@ -38,6 +40,7 @@ class Drawing {
   bool BindTextures();
   bool MakeFramebuffer();
   bool ChooseOutputs();
+  bool PrepareMesh();
   void DrawTile(uint32_t x, uint32_t y);
   void ReadTile(uint32_t x, uint32_t y);
   template <class Function>
@@ -60,9 +63,11 @@ class Drawing {
   std::vector<GLuint> renderbuffers_;
   uint32_t tile_ = 0;
   std::vector<float> rows_;
+  std::unique_ptr<MeshPainter> painter_;  // if it is a mesh
 };
 
 Drawing::~Drawing() {
+  painter_.reset();
   gl_.UseProgram(0);
   if (program_ != 0) gl_.DeleteProgram(program_);
   if (framebuffer_ != 0) gl_.DeleteFramebuffers(1, &framebuffer_);
@@ -83,10 +88,10 @@ bool Drawing::Upload() {
   shared_.stage = Stage::kUploading;
   GLint units = 0;
   gl_.GetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &units);
-  if (plan_.samplers.size() > static_cast<size_t>(units)) {
+  const size_t needed = plan_.samplers.size() + (request_.scene ? 1 : 0);  // one for the samples
+  if (needed > static_cast<size_t>(units)) {
     return Fail(DiagnosticKind::kTargetLimit,
-                fmt::format("the shader has {} textures; the driver takes {}",
-                            plan_.samplers.size(), units));
+                fmt::format("the shader has {} textures; the driver takes {}", needed, units));
   }
   for (const PlannedSampler& sampler : plan_.samplers) {
     std::string why_not;
@@ -110,7 +115,13 @@ bool Drawing::Link() {
   }
   std::string what;
   std::string log;
-  program_ = LinkProgram(context_, request_, what, log);
+  if (request_.scene) {
+    painter_ = std::make_unique<MeshPainter>(context_, request_, plan_);
+    const MeshShader& shader = painter_->shader();
+    program_ = LinkProgram(context_, shader.vertex, shader.fragment, what, log);
+  } else {
+    program_ = LinkProgram(context_, VertexShader(request_.manifest), request_.shader, what, log);
+  }
   SharedResult::SetText(shared_.driver_log, log);
   if (program_ == 0) return Fail(DiagnosticKind::kDriverCompile, what);
   gl_.UseProgram(program_);
@@ -131,6 +142,7 @@ bool Drawing::MakeFramebuffer() {
   const auto limit =
       static_cast<uint32_t>(std::max(2, std::min({most, viewport[0] / 2, viewport[1] / 2})));
   tile_ = std::min(request_.tile, std::bit_floor(limit));
+  if (painter_) tile_ = painter_->TileSide(tile_, limit);
   const auto width = static_cast<GLsizei>(std::min(tile_, request_.width));
   const auto height = static_cast<GLsizei>(std::min(tile_, request_.height));
   rows_.resize(size_t{4} * static_cast<size_t>(width) * static_cast<size_t>(height));
@@ -174,11 +186,25 @@ bool Drawing::ChooseOutputs() {
   return CheckError("choosing outputs");
 }
 
+// Uploads the mesh and makes room for its samples.
+bool Drawing::PrepareMesh() {
+  std::string what;
+  std::string log;
+  const auto unit = static_cast<uint32_t>(textures_.size());
+  if (!painter_->Prepare(program_, tile_, unit, what, log))
+    return Fail(DiagnosticKind::kDriverFailure, log.empty() ? what : what + ": " + log);
+  return CheckError("preparing the mesh");
+}
+
 // The triangle is that of twice a power of two, whatever part of it the picture needs: the driver
 // divides by its side, which is then exact, so that uv and its derivatives depend on the tile's
 // place only. The viewport holds all of it: a triangle that is cut falls into several, and where
 // they meet, derivatives jump.
 void Drawing::DrawTile(uint32_t x, uint32_t y) {
+  if (painter_) {
+    painter_->DrawTile(x, y, framebuffer_);
+    return;
+  }
   const uint32_t side = 2 * std::bit_ceil(tile_);
   const auto& window = request_.window;
   const auto u = [&](uint32_t column) {
@@ -227,7 +253,8 @@ void Drawing::Run() {
   }
   if (!Upload()) return;
   const double start = Seconds();
-  if (!Link() || !MakeFramebuffer() || !ChooseOutputs()) return;
+  if (!Link() || !MakeFramebuffer()) return;
+  if (!(painter_ ? PrepareMesh() : ChooseOutputs())) return;
   gl_.GenVertexArrays(1, &vertex_array_);
   gl_.BindVertexArray(vertex_array_);
   gl_.Disable(GL_DITHER);

@@ -103,15 +103,15 @@ std::string VertexShader(const Manifest& manifest) {
       is_450 ? 450 : 330, kWindowAttribute, declarations, body);
 }
 
-GLuint LinkProgram(const GlContext& context, const RenderRequest& request, std::string& what,
-                   std::string& log) {
+GLuint LinkProgram(const GlContext& context, const std::string& vertex_text,
+                   const std::string& fragment_text, std::string& what, std::string& log) {
   const GlFunctions& gl = context.gl;
-  const GLuint vertex = Compile(gl, GL_VERTEX_SHADER, VertexShader(request.manifest), log);
+  const GLuint vertex = Compile(gl, GL_VERTEX_SHADER, vertex_text, log);
   if (vertex == 0) {
     what = "the driver refuses the vertex shader";
     return 0;
   }
-  const GLuint fragment = Compile(gl, GL_FRAGMENT_SHADER, request.shader, log);
+  const GLuint fragment = Compile(gl, GL_FRAGMENT_SHADER, fragment_text, log);
   if (fragment == 0) {
     gl.DeleteShader(vertex);
     what = "the driver refuses the shader";

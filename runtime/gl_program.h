@@ -19,8 +19,8 @@ inline constexpr GLuint kWindowAttribute = 1;
 std::string VertexShader(const Manifest& manifest);
 
 // The program, or 0 with the driver's words in `log` and what failed in `what`.
-GLuint LinkProgram(const GlContext& context, const RenderRequest& request, std::string& what,
-                   std::string& log);
+GLuint LinkProgram(const GlContext& context, const std::string& vertex_text,
+                   const std::string& fragment_text, std::string& what, std::string& log);
 // Of the program in use.
 void SetUniforms(const GlFunctions& gl, GLuint program, const RenderRequest& request);
 

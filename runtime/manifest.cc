@@ -251,6 +251,10 @@ Manifest Reader::Read() {
   manifest_.shader = Text(root, "shader", false);
   manifest_.dialect = static_cast<ShaderDialect>(Word(root, "dialect", true, kDialects));
   manifest_.is_function = Word(root, "emit", false, kEmits) == 1;
+  manifest_.entry_point = Text(root, "entry_point", manifest_.is_function);
+  if (manifest_.is_function && !IsIdentifier(manifest_.entry_point)) {
+    Error(root.range, "the 'entry_point' of a function is an identifier");
+  }
   Each(root, "inputs", [this](const DocumentNode& node) { ReadInput(node); });
   Each(root, "outputs", [this](const DocumentNode& node) { ReadOutput(node); });
   Each(root, "parameters", [this](const DocumentNode& node) { ReadParameter(node); });

@@ -59,7 +59,8 @@ struct Manifest {
   std::string name;
   std::string shader;  // the file, relative to the manifest's folder; empty if it was never one
   ShaderDialect dialect = ShaderDialect::kGlsl330;
-  bool is_function = false;  // --emit=function: to be pasted, not to be drawn
+  bool is_function = false;  // --emit=function: to be pasted into a shader, as --mesh does
+  std::string entry_point;   // the function's name; "" or main otherwise
   std::vector<ManifestInput> inputs;
   std::vector<ManifestOutput> outputs;
   std::vector<ManifestParameter> parameters;

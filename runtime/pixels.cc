@@ -43,7 +43,7 @@ bool HasNan(const float* pixel, uint32_t channels) {
 }  // namespace
 
 Encoding EncodingOf(std::string_view output) {
-  if (output == "color" || output == "emission") return Encoding::kSrgb;
+  if (output == "color" || output == "emission" || output == kLitOutput) return Encoding::kSrgb;
   return output == "normal" ? Encoding::kNormal : Encoding::kLinear;
 }
 

@@ -15,7 +15,7 @@ enum class Encoding : uint8_t {
   kNormal   // -1..1 to 0..1
 };
 
-// By the output's name: color and emission are light, normal is a direction.
+// By the output's name: color, emission and lit are light, normal is a direction.
 Encoding EncodingOf(std::string_view output);
 
 // Rows that were read from a framebuffer (RGBA floats, the bottom row first) into a picture.

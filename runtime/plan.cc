@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "compiler/graph/graph.h"
 #include "runtime/shared_result.h"
 
 namespace texgraph::runtime {
@@ -23,9 +24,18 @@ const ManifestOutput* FindOutput(const Manifest& manifest, const std::string& na
   return nullptr;
 }
 
+// What there is of a mesh beside the graph's outputs: with alpha only if something shines through.
+const ManifestOutput* LitOutput(const Scene& scene) {
+  static const ManifestOutput opaque{std::string(kLitOutput), "", ir::kVec3};
+  static const ManifestOutput transparent{std::string(kLitOutput), "", ir::kVec4};
+  return scene.background[3] < 1 ? &transparent : &opaque;
+}
+
 bool PlanOutputs(const RenderRequest& request, RenderPlan& plan, Diagnostics& diagnostics) {
   const Manifest& manifest = request.manifest;
-  if (request.outputs.empty()) {
+  if (request.outputs.empty() && request.scene) {
+    plan.outputs.push_back({LitOutput(*request.scene)});
+  } else if (request.outputs.empty()) {
     const auto color =
         std::find_if(manifest.outputs.begin(), manifest.outputs.end(),
                      [](const ManifestOutput& output) { return output.name == "color"; });
@@ -33,6 +43,10 @@ bool PlanOutputs(const RenderRequest& request, RenderPlan& plan, Diagnostics& di
     if (chosen != manifest.outputs.end()) plan.outputs.push_back({&*chosen});
   }
   for (const std::string& name : request.outputs) {
+    if (request.scene && name == kLitOutput) {
+      plan.outputs.push_back({LitOutput(*request.scene)});
+      continue;
+    }
     const ManifestOutput* output = FindOutput(manifest, name, diagnostics);
     if (output == nullptr) return false;
     plan.outputs.push_back({output});
@@ -96,8 +110,55 @@ bool CheckNumbers(const RenderRequest& request, Diagnostics& diagnostics) {
   return true;
 }
 
+bool CheckScene(const RenderRequest& request, Diagnostics& diagnostics) {
+  if (!request.scene) return true;
+  const Scene& scene = *request.scene;
+  const Camera& camera = scene.camera;
+  const auto between = [](double value, double low, double high) {
+    return value >= low && value <= high;
+  };
+  const bool ok =
+      scene.mesh && !scene.mesh->indices.empty() && between(scene.samples, 1, kMaxSampleSide) &&
+      between(camera.yaw, -1e6, 1e6) && between(camera.pitch, -90, 90) &&
+      between(camera.field_of_view, 1, 170) && between(camera.distance.value_or(1), 1e-12, 1e13) &&
+      between(scene.lighting.yaw, -1e6, 1e6) && between(scene.lighting.pitch, -90, 90) &&
+      between(std::abs(scene.tiles[0]), 1e-6, 1e6) &&
+      between(std::abs(scene.tiles[1]), 1e-6, 1e6) && between(std::abs(scene.relief), 0, 1e6);
+  if (ok) return true;
+  diagnostics.Error(DiagnosticKind::kUsage, {},
+                    "a scene has a mesh with triangles, and its numbers are within their limits");
+  return false;
+}
+
+// The light is put around a function, and the names and types of its outputs are the graph's.
+bool CheckFunction(const Manifest& manifest, Diagnostics& diagnostics) {
+  const auto refuse = [&](std::string text) {
+    diagnostics.Error(DiagnosticKind::kNotRenderable, {}, std::move(text));
+    return false;
+  };
+  if (manifest.dialect == ShaderDialect::kSpirv || !manifest.is_function) {
+    return refuse(
+        "a whole shader cannot be put on a mesh; take the graph, or the manifest of a "
+        "function ('texgraphc --emit=function')");
+  }
+  const ir::Types types;
+  std::set<std::string_view> seen;
+  for (const ManifestOutput& output : manifest.outputs) {
+    const auto known =
+        std::find_if(std::begin(graph::kBuiltinOutputs), std::end(graph::kBuiltinOutputs),
+                     [&](const auto& entry) { return entry.name == output.name; });
+    if (known == std::end(graph::kBuiltinOutputs) || types.Find(known->type) != output.type ||
+        !seen.insert(output.name).second) {
+      return refuse(fmt::format("output '{}' is none of a graph's, or of another type",
+                                Printable(output.name)));
+    }
+  }
+  return true;
+}
+
 bool CheckManifest(const RenderRequest& request, Diagnostics& diagnostics) {
   const Manifest& manifest = request.manifest;
+  if (request.scene) return CheckFunction(manifest, diagnostics);
   if (manifest.dialect != ShaderDialect::kSpirv && !manifest.is_function) return true;
   diagnostics.Error(DiagnosticKind::kNotRenderable, {},
                     fmt::format("{} cannot be rendered; make a whole shader in glsl330 or glsl450",
@@ -125,9 +186,9 @@ bool PlanSamplers(const RenderRequest& request, RenderPlan& plan, Diagnostics& d
 }  // namespace
 
 bool PlanRender(const RenderRequest& request, RenderPlan& plan, Diagnostics& diagnostics) {
-  return CheckNumbers(request, diagnostics) && CheckManifest(request, diagnostics) &&
-         PlanSamplers(request, plan, diagnostics) && PlanOutputs(request, plan, diagnostics) &&
-         PlanPixels(request, plan, diagnostics);
+  return CheckNumbers(request, diagnostics) && CheckScene(request, diagnostics) &&
+         CheckManifest(request, diagnostics) && PlanSamplers(request, plan, diagnostics) &&
+         PlanOutputs(request, plan, diagnostics) && PlanPixels(request, plan, diagnostics);
 }
 
 }  // namespace texgraph::runtime

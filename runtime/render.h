@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Draws a shader over a rectangle of texture space, without a window. The driver runs in a child
-// process with limits on time and memory: whatever it does, the caller gets a result or a
-// diagnostic. docs/rendering.md says what the pixels mean.
+// Draws a shader over a rectangle of texture space, or on a mesh, without a window. The driver runs
+// in a child process with limits on time and memory: whatever it does, the caller gets a result or
+// a diagnostic. docs/rendering.md says what the pixels mean.
 //
 // Pixel (x, y) of a picture of W x H, y counted from the bottom, has uv = (u0 + (x + 1/2) (u1 - u0)
 // / W, v0 + (y + 1/2) (v1 - v0) / H) at its centre, position (uv, 0) and normal (0, 0, 1), each as
@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -21,6 +22,7 @@
 #include "compiler/textures/texels.h"
 #include "runtime/gl_context.h"
 #include "runtime/manifest.h"
+#include "runtime/scene.h"
 
 namespace texgraph::runtime {
 
@@ -40,14 +42,15 @@ struct TextureBinding {
 };
 
 struct RenderRequest {
-  std::string shader;                    // GLSL of the manifest's dialect
+  std::string shader;                    // GLSL of the manifest's dialect; for a mesh, a function
   Manifest manifest;                     // uniforms have the values of its parameters
   std::vector<TextureBinding> textures;  // one for each sampler that the manifest names
   uint32_t width = 512;
   uint32_t height = 512;
   std::array<double, 4> window = {0, 0, 1, 1};  // u0, v0 (left, bottom), u1, v1 (right, top)
   double time = 0;
-  std::vector<std::string> outputs;  // by name; empty: color, or else the first
+  std::vector<std::string> outputs;  // by name; empty: color, or else the first; of a mesh, lit
+  std::optional<Scene> scene;        // a mesh to draw, instead of the window
   PixelFormat format = PixelFormat::kImage8;
   ContextOptions context;
   double timeout = 60;                        // seconds, for this request

@@ -10,8 +10,8 @@ packages=(
   # the compiler and its command line
   glslang-dev libcli11-dev libfmt-dev libfyaml-dev spirv-tools
   # the renderer
-  libegl-dev libgl-dev libgl1-mesa-dri libegl1 libjpeg-dev libopenexr-dev libosmesa6 libpng-dev
-  zlib1g-dev
+  libegl-dev libgl-dev libgl1-mesa-dri libegl1 libglm-dev libjpeg-dev libopenexr-dev libosmesa6
+  libpng-dev libtinygltf-dev zlib1g-dev
   # tests and benchmarks
   glslang-tools libbenchmark-dev libgmock-dev libgtest-dev libvalijson-dev nlohmann-json3-dev spirv-headers
 )

@@ -28,15 +28,30 @@ Picture
   --format FORMAT       png or exr, whatever the file is called (default: by its extension; png without one)
   --size SIZE           WxH, or N for a square, in pixels (default: 512)
   --uv U0,V0,U1,V1      the part of texture space to draw: left, bottom, right, top (default: 0,0,1,1)
-  --output NAME         the graph's output to draw (default: color, or the first one)
+  --output NAME         the graph's output to draw (default: color, or the first one; of a mesh, lit)
   --bits N              for each channel: PNG 8 (default) or 16, OpenEXR 16 (half, default) or 32 (float)
   --time T              the value of the input 'time', in seconds (default: 0)
+
+On a mesh
+  --mesh MESH           plane, wall, sphere, cube, cylinder, or a binary glTF file (.glb): draw the graph's outputs
+                        on it, lit; --output NAME draws one of them, unlit
+  --camera YAW,PITCH[,DISTANCE]
+                        where it is seen from: degrees to the right and up, and in the mesh's units how far from
+                        its middle (default: so far that all of it is seen)
+  --fov DEGREES         the angle of view, from the bottom to the top (default: 30)
+  --light YAW,PITCH     where the key light comes from: degrees from the camera's own yaw, and up (default: -45,45)
+  --tile N, --tile NU,NV
+                        repeat the texture so often where it would be once (default: 1)
+  --relief H            how high a height of 1 is, without an output 'normal', in sides of the texture (default: 0.02)
+  --samples N           for each pixel: 1, 4, 16 (default) or 64
+  --background COLOR    like #30343a, or none: then the picture has alpha
+  --turntable           let the camera go once around, over --frames N
 
 Several pictures
   --frames N            draw N frames (up to 9999) to numbered files: FILE.0001.png and so on
   --time T0,T1          let the time go from T0 to T1, which the frame after the last would have
   --sweep NAME[=A,B]    let a uniform parameter go from one end of its range, or from A, to the other, or B
-  --contact-sheet       one picture of all outputs in a grid; with --sweep or --time T0,T1, of the frames
+  --contact-sheet       one picture of all outputs in a grid; with --sweep, --turntable or --time T0,T1, of the frames
                         (default: 9); --size is the size of one
 
 Graph

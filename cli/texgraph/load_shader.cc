@@ -44,6 +44,7 @@ bool CompileGraphShader(SourceId source, graph::DocumentFormat format, const Ren
                         Sources& sources, Shader& shader, Diagnostics& diagnostics) {
   CompileOptions compile = options.compile;
   compile.manifest_folder = shader.folder;
+  if (!options.mesh.mesh.empty()) compile.emit = Emit::kFunction;  // the light goes around it
   auto compiled = Compile(source, format, compile, sources, diagnostics);
   if (!compiled || diagnostics.HasErrors()) return false;
   const SourceId made = sources.Add("<manifest>", std::move(compiled->manifest));

@@ -7,12 +7,14 @@
 
 #include "cli/texgraph/contact_sheet.h"
 #include "cli/texgraph/load_shader.h"
+#include "cli/texgraph/mesh_options.h"
 #include "cli/texgraph/progress.h"
 #include "cli/texgraph/sequence.h"
 #include "compiler/base/files.h"
 #include "compiler/base/output_files.h"
 #include "compiler/textures/image.h"
 #include "runtime/exr.h"
+#include "runtime/mesh_shader.h"
 #include "runtime/render.h"
 
 namespace texgraph::cli {
@@ -54,6 +56,7 @@ runtime::RenderRequest RequestFor(const RenderOptions& options, Shader& shader) 
   request.time = options.time;
   if (!options.output_name.empty()) request.outputs = {options.output_name};
   if (options.contact_sheet && options.frames == 0) {
+    if (!options.mesh.mesh.empty()) request.outputs.emplace_back(runtime::kLitOutput);
     for (const runtime::ManifestOutput& output : request.manifest.outputs)
       request.outputs.push_back(output.name);
   }
@@ -168,7 +171,7 @@ class Drawing {
     if (!result.ok()) {
       const Diagnostic& first = result.diagnostics.all().front();
       if (first.kind == DiagnosticKind::kDriverCompile) {
-        ReportRefusedShader(options_.output, request_.shader, first, diagnostics_);
+        ReportRefusedShader(options_.output, DrawnShader(), first, diagnostics_);
       } else {
         diagnostics_.Append(std::move(result.diagnostics));
       }
@@ -192,6 +195,14 @@ class Drawing {
       }
     }
     return true;
+  }
+
+  // What the driver was given.
+  std::string DrawnShader() const {
+    if (!request_.scene) return request_.shader;
+    std::vector<std::string_view> outputs(request_.outputs.begin(), request_.outputs.end());
+    if (outputs.empty()) outputs = {runtime::kLitOutput};
+    return runtime::ComposeMeshShader(request_.shader, request_.manifest, outputs).fragment;
   }
 
   // One warning for all frames.
@@ -266,9 +277,17 @@ void RunRender(const RenderOptions& options, Sources& sources, Diagnostics& diag
   std::vector<runtime::TextureBinding> textures;
   const Roots roots(options.compile.roots, diagnostics);
   if (!CheckOutput(options.output, shader.inputs, diagnostics)) return;
+  std::optional<runtime::Scene> scene;
+  if (!options.mesh.mesh.empty()) {
+    scene = MakeScene(options, diagnostics);
+    if (!scene) return;
+    if (!runtime::MakeShape(options.mesh.mesh)) shader.inputs.push_back(options.mesh.mesh);
+    if (!CheckOutput(options.output, shader.inputs, diagnostics)) return;
+  }
   if (!runtime::LoadTextures(shader.manifest, shader.folder, textures, diagnostics, roots)) return;
   runtime::RenderRequest request = RequestFor(options, shader);
   request.textures = std::move(textures);
+  request.scene = std::move(scene);
   Drawing drawing(options, shader, std::move(request), diagnostics);
   if (drawing.Run()) message = drawing.Message();
 }

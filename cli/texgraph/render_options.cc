@@ -6,9 +6,11 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <string_view>
 
 #include "cli/texgraph/help.h"
+#include "cli/texgraph/mesh_options.h"
 #include "cli/texgraph/option_values.h"
 #include "cli/texgraph/sequence_options.h"
 
@@ -24,14 +26,18 @@ struct Raw {
   std::string context = "auto";
   std::string color = "auto";
   SequenceTexts sequence;
+  MeshTexts mesh;
   std::vector<std::string> inputs;
   bool help = false;
 };
 
 constexpr std::string_view kLongOptions[] = {
-    "--size",    "--uv",      "--output", "--format", "--bits",  "--time",   "--sweep",
-    "--frames",  "--root",    "--set",    "--help",   "--color", "--target", "--contact-sheet",
-    "--context", "--timeout", "--version"};
+    "--size",     "--uv",      "--output", "--format",        "--bits",
+    "--time",     "--sweep",   "--frames", "--root",          "--set",
+    "--help",     "--color",   "--target", "--contact-sheet", "--context",
+    "--timeout",  "--version", "--mesh",   "--camera",        "--fov",
+    "--light",    "--tile",    "--relief", "--samples",       "--background",
+    "--turntable"};
 
 // A side beyond what any picture may have is a limit, as where it is drawn; anything but a number
 // is a mistake.
@@ -96,6 +102,15 @@ void Declare(CLI::App& app, RenderOptions& options, Raw& raw) {
   text("--time", raw.sequence.time);
   text("--sweep", raw.sequence.sweep);
   text("--frames", raw.sequence.frames);
+  text("--mesh", options.mesh.mesh);
+  text("--camera", raw.mesh.camera);
+  text("--fov", raw.mesh.field_of_view);
+  text("--light", raw.mesh.light);
+  text("--tile", raw.mesh.tile);
+  text("--relief", raw.mesh.relief);
+  text("--samples", raw.mesh.samples);
+  text("--background", raw.mesh.background);
+  app.add_flag("--turntable", options.mesh.turntable);
   text("--timeout", raw.timeout);
   text("--target", raw.target);
   text("--context", raw.context);
@@ -114,8 +129,10 @@ std::vector<std::string> Arguments(int argc, const char* const* argv) {
   std::vector<std::string> arguments;
   for (int i = 2; i < argc; ++i) {
     const std::string_view argument = argv[i];
-    const bool number = argument == "--uv" || argument == "--time" || argument == "--timeout" ||
-                        argument == "--size" || argument == "--frames";
+    static constexpr std::string_view kNumbers[] = {"--uv",     "--time",   "--timeout", "--size",
+                                                    "--frames", "--camera", "--fov",     "--light",
+                                                    "--tile",   "--relief", "--samples"};
+    const bool number = std::ranges::find(kNumbers, argument) != std::end(kNumbers);
     if (number && i + 1 < argc) {
       arguments.push_back(fmt::format("{}={}", argument, argv[++i]));
     } else {
@@ -152,6 +169,7 @@ void CheckRender(const CLI::App& app, const Raw& raw, RenderOptions& options,
                                                                                  : Target::kGlsl450;
   options.context = static_cast<runtime::ContextChoice>(
       ReadWord("--context", raw.context, {"auto", "egl", "osmesa"}, diagnostics));
+  ReadMeshOptions(raw.mesh, app.count("--uv") > 0, options, diagnostics);
   ReadSequenceOptions(raw.sequence, options, diagnostics);
   ReadSeconds("--timeout", raw.timeout, options.timeout, diagnostics);
   ReadSize(raw.size, options, diagnostics);

@@ -25,6 +25,14 @@ struct Sweep {
   std::optional<std::array<double, 2>> range;
 };
 
+// What --mesh and the options beside it say; the mesh itself is read later.
+struct MeshOptions {
+  std::string mesh;  // the name of a shape, or a file; "": none
+  runtime::Scene scene;
+  bool has_camera = false;  // else each shape has its own
+  bool turntable = false;
+};
+
 struct RenderOptions {
   std::string input;   // a graph or a manifest; "-" is a graph on standard input
   std::string output;  // the picture, or "-"
@@ -37,7 +45,8 @@ struct RenderOptions {
   double time = 0;
   std::optional<double> end_time;  // not reached: the frame after the last would have it
   std::optional<Sweep> sweep;
-  uint32_t frames = 0;         // 0 if neither the time nor a parameter varies
+  MeshOptions mesh;
+  uint32_t frames = 0;         // 0 if neither the time, a parameter nor the camera varies
   bool contact_sheet = false;  // of the frames, or of all outputs if there are none
   double timeout = 60;
   runtime::ContextChoice context = runtime::ContextChoice::kAuto;

@@ -92,6 +92,10 @@ void SetFrame(const RenderOptions& options, const std::optional<FoundSweep>& swe
   const double count = options.frames;
   if (options.end_time)
     request.time = options.time + (*options.end_time - options.time) * frame / count;
+  if (options.mesh.turntable && request.scene) {
+    const double yaw = options.mesh.scene.camera.yaw + 360 * (frame / count);
+    request.scene->camera.yaw = std::fmod(yaw, 360);
+  }
   if (!sweep) return;
   // The last frame has the last value exactly.
   const bool is_last = frame > 0 && frame + 1 == options.frames;

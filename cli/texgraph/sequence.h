@@ -27,7 +27,8 @@ std::optional<FoundSweep> FindSweep(const Sweep& sweep, const runtime::Manifest&
                                     Diagnostics& diagnostics);
 
 // Frame i of N has the time t0 + (t1 - t0) i / N, so that a period repeats without a double frame,
-// and the swept value a + (b - a) i / (N - 1), in each component; integers are rounded.
+// and the swept value a + (b - a) i / (N - 1), in each component; integers are rounded. On a
+// turntable the camera has gone i / N of the way round.
 void SetFrame(const RenderOptions& options, const std::optional<FoundSweep>& sweep, uint32_t frame,
               runtime::RenderRequest& request);
 

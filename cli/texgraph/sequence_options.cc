@@ -90,16 +90,19 @@ void ReadSequenceOptions(const SequenceTexts& texts, RenderOptions& options,
   if (!texts.time.empty()) ReadTime(texts.time, options, diagnostics);
   if (!texts.sweep.empty()) ReadSweep(texts.sweep, options, diagnostics);
   if (!texts.frames.empty()) ReadFrames(texts.frames, options, diagnostics);
-  const bool varies = options.end_time || options.sweep;
+  const bool varies = options.end_time || options.sweep || options.mesh.turntable;
   if (!texts.frames.empty() && !varies) {
-    Usage(diagnostics, "with --frames, --time T0,T1 or --sweep says what differs between them");
+    Usage(diagnostics,
+          "with --frames, --time T0,T1, --sweep or --turntable says what differs between them");
   }
   if (varies && options.frames == 0) {
     if (options.contact_sheet) {
       options.frames = kSheetCells;
     } else if (texts.frames.empty()) {
       Usage(diagnostics, fmt::format("{} needs --frames N or --contact-sheet",
-                                     options.sweep ? "--sweep" : "--time T0,T1"));
+                                     options.sweep      ? "--sweep"
+                                     : options.end_time ? "--time T0,T1"
+                                                        : "--turntable"));
     }
   }
   if (options.frames > 0 && !options.contact_sheet && options.output == "-")

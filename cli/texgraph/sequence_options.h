@@ -18,7 +18,7 @@ struct SequenceTexts {
   std::string frames;
 };
 
-// Needs options.output and options.contact_sheet.
+// Needs options.output, options.contact_sheet and options.mesh.turntable.
 void ReadSequenceOptions(const SequenceTexts& texts, RenderOptions& options,
                          Diagnostics& diagnostics);
 
