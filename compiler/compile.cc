@@ -12,21 +12,28 @@
 #include "compiler/ir/print.h"
 #include "compiler/ir/verify.h"
 #include "compiler/manifest/manifest.h"
+#include "compiler/manifest/pictures.h"
 #include "compiler/passes/passes.h"
 #include "compiler/spirv/compile_spirv.h"
-#include "compiler/textures/image.h"
+#include "compiler/textures/prepare.h"
 
 namespace texgraph {
 namespace {
 
-// Every file of every texture must be an image that can be read, and the layers of one array equally large.
+// Every file of every texture must be an image that can be read, the layers of one array equally large, and a mask as
+// large as its picture.
 void CheckTextures(const graph::Graph& graph, const std::string& folder, const std::vector<std::string>& root_folders,
                    Diagnostics& diagnostics) {
   const Roots roots(root_folders, diagnostics);
   for (const graph::Texture& texture : graph.textures) {
     std::optional<textures::ImageInfo> first;
     for (size_t i = 0; i < texture.files.size(); ++i) {
-      auto info = textures::ProbeImage(JoinPath(folder, texture.files[i]), texture.file_ranges[i], diagnostics, roots);
+      const textures::PictureSource source = manifest::PictureOf(texture, i, folder);
+      auto info = textures::ProbeImage(source.file, source.range, diagnostics, roots);
+      if (source.mask) {
+        auto mask = textures::ProbeImage(source.mask->file, source.mask->range, diagnostics, roots);
+        if (info && mask) CheckMaskSize(source, *info, *mask, diagnostics);
+      }
       if (!info) continue;
       if (!first) first = info;
       if (info->width == first->width && info->height == first->height) continue;
@@ -37,10 +44,33 @@ void CheckTextures(const graph::Graph& graph, const std::string& folder, const s
   }
 }
 
+// The pictures that the manifest names instead of their sources. False if one cannot be made.
+bool PreparePictures(const graph::Graph& graph, const std::vector<bool>& used, const std::string& folder,
+                     const CompileOptions& options, Compiled& compiled, Diagnostics& diagnostics) {
+  const Roots roots(options.roots, diagnostics);
+  for (uint32_t t = 0; t < graph.textures.size(); ++t) {
+    const graph::Texture& texture = graph.textures[t];
+    if (!used[t] || !texture.IsPrepared() || graph::FirstEqualTexture(graph, t) != t) continue;
+    for (size_t layer = 0; layer < texture.files.size(); ++layer) {
+      auto picture = textures::ReadPicture(manifest::PictureOf(texture, layer, folder), diagnostics, roots);
+      if (!picture) return false;
+      std::optional<std::string> png = textures::EncodePng(*picture);
+      if (!png) {
+        diagnostics.Error(DiagnosticKind::kOutOfMemory, texture.file_ranges[layer],
+                          "there is not enough memory to write this picture");
+        return false;
+      }
+      compiled.pictures.push_back({manifest::PreparedName(graph, t, layer), std::move(*png)});
+    }
+  }
+  return true;
+}
+
 std::vector<std::string> Dependencies(const Lowered& lowered, const std::string& folder) {
   std::vector<std::string> paths = lowered.library->FilesRead();
   for (const graph::Texture& texture : lowered.graph->textures) {
     for (std::string_view file : texture.files) paths.push_back(JoinPath(folder, file));
+    for (const graph::Mask& mask : texture.masks) paths.push_back(JoinPath(folder, mask.file));
   }
   std::ranges::sort(paths);
   paths.erase(std::ranges::unique(paths).begin(), paths.end());
@@ -149,6 +179,11 @@ std::optional<Compiled> Compile(SourceId source, graph::DocumentFormat format, c
   }
   const std::string folder(FolderOf(sources.Name(source)));
   compiled.dependencies = Dependencies(*lowered, folder);
+  if (options.prepare_pictures &&
+      !PreparePictures(*lowered->graph, manifest::UsedTextures(*lowered->graph, *lowered->module, interface), folder,
+                       options, compiled, diagnostics)) {
+    return std::nullopt;
+  }
   compiled.manifest = manifest::PrintManifest(*lowered->checked, *lowered->module, interface, options, folder);
   return compiled;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The whole compiler as one call: a graph's text in, a shader and its manifest out. It reads files (the graph's blocks and the
-// headers of its images) and writes none.
+// The whole compiler as one call: a graph's text in, a shader and its manifest out. It reads files (the graph's blocks, the
+// headers of its images, and the images that it prepares) and writes none.
 #pragma once
 
 #include <cstdint>
@@ -38,6 +38,9 @@ struct CompileOptions {
   // the shader's path from there; "" is the graph's name with ShaderExtension().
   std::string manifest_folder;
   std::string shader_name;
+  // Pictures with a mask or a colour key are prepared, and the manifest names Compiled::pictures in their place. Off: the
+  // manifest names the sources, and says what is to be done with them.
+  bool prepare_pictures = false;
 };
 
 // ".frag", ".glsl" or ".spv".
@@ -51,6 +54,11 @@ struct Compiled {
   std::vector<uint32_t> spirv;   // kSpirv only
   std::string manifest;          // JSON, see docs/manifest.schema.json
   std::string dump;
+  struct Picture {
+    std::string file;  // in the manifest's folder, without a folder of its own
+    std::string png;
+  };
+  std::vector<Picture> pictures;          // prepare_pictures: those of all textures that the shader uses
   std::vector<std::string> dependencies;  // paths of the files that were read, beside the graph itself
 };
 

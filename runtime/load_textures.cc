@@ -14,8 +14,17 @@ bool LoadTextures(const Manifest& manifest, const std::string& folder,
   for (const ManifestTexture& texture : manifest.textures) {
     if (!texture.is_used || !variables.insert(texture.variable).second) continue;
     std::vector<textures::Image> layers;
-    for (const std::string& file : texture.files) {
-      auto image = textures::ReadImage(JoinPath(folder, file), texture.place, diagnostics, roots);
+    for (size_t layer = 0; layer < texture.files.size(); ++layer) {
+      textures::PictureSource source;
+      source.file = JoinPath(folder, texture.files[layer]);
+      source.range = texture.place;
+      source.srgb = texture.options.srgb;
+      source.key = texture.key;
+      if (!texture.masks.empty()) {
+        source.mask = texture.masks[texture.masks.size() == 1 ? 0 : layer];
+        source.mask->file = JoinPath(folder, source.mask->file);
+      }
+      auto image = textures::ReadPicture(source, diagnostics, roots);
       if (image) layers.push_back(std::move(*image));
     }
     if (layers.size() != texture.files.size()) {

@@ -108,6 +108,8 @@ class Reader {
   void ReadParameter(const DocumentNode& node);
   void ReadTexture(const DocumentNode& node);
   void ReadWraps(const DocumentNode& node, textures::TextureOptions& options);
+  void ReadMasks(const DocumentNode& node, ManifestTexture& texture);
+  void ReadKey(const DocumentNode& node, ManifestTexture& texture);
 
   const Document& document_;
   Diagnostics& diagnostics_;
@@ -205,11 +207,53 @@ void Reader::ReadWraps(const DocumentNode& node, textures::TextureOptions& optio
   if (index != 2) Error(wraps->range, "'wrap' holds two names, of the directions u and v");
 }
 
+void Reader::ReadMasks(const DocumentNode& node, ManifestTexture& texture) {
+  static constexpr std::string_view kChannels[] = {"red", "green", "blue", "alpha"};
+  Each(node, "masks", [&](const DocumentNode& entry) {
+    textures::MaskSource& mask = texture.masks.emplace_back();
+    mask.range = entry.range;
+    mask.file = Text(entry, "file");
+    mask.channel = static_cast<textures::MaskChannel>(Word(entry, "channel", false, kChannels));
+    const DocumentNode* invert = Find(entry, "invert", DocumentKind::kBool, false);
+    mask.invert = invert != nullptr && invert->boolean;
+  });
+  if (texture.masks.size() > 1 && texture.masks.size() != texture.files.size()) {
+    Error(node.range, "a texture has one mask, or one for each of its files");
+  }
+}
+
+void Reader::ReadKey(const DocumentNode& node, ManifestTexture& texture) {
+  const DocumentNode* object = Find(node, "key", DocumentKind::kObject, false);
+  if (object == nullptr) return;
+  textures::ColorKey& key = texture.key.emplace();
+  if (const DocumentNode* color = Find(*object, "color", DocumentKind::kArray, true)) {
+    size_t count = 0;
+    for (const DocumentNode& child : document_.children(*color)) {
+      double number = -1;
+      if (!Number(child, number) || number < 0 || number > 1) break;
+      if (count < key.color.size()) key.color[count] = static_cast<float>(number);
+      ++count;
+    }
+    if (count != key.color.size() || color->child_count != count) {
+      Error(color->range, "the 'color' of a key is three numbers from 0 to 1");
+    }
+  }
+  if (const DocumentNode* tolerance = Find(*object, "tolerance", DocumentKind::kNumber, true)) {
+    if (!(tolerance->number >= 0 && tolerance->number < 1)) {
+      Error(tolerance->range, "the 'tolerance' of a key is a number from 0 up to, but not, 1");
+    } else {
+      key.tolerance = static_cast<float>(tolerance->number);
+    }
+  }
+  key.edge = Integer(*object, "edge", textures::kMaxKeyEdge).value_or(key.edge);
+}
+
 void Reader::ReadTexture(const DocumentNode& node) {
   static constexpr std::string_view kTypes[] = {"sampler2D", "sampler2DArray"};
   static constexpr std::string_view kStatus[] = {"used", "unused"};
   static constexpr std::string_view kSpaces[] = {"srgb", "linear"};
   static constexpr std::string_view kFilters[] = {"linear", "nearest"};
+  static constexpr std::string_view kAlphas[] = {"opacity", "data"};
   ManifestTexture texture;
   texture.place = node.range;
   texture.name = Text(node, "name");
@@ -217,6 +261,9 @@ void Reader::ReadTexture(const DocumentNode& node) {
   texture.is_used = Word(node, "status", false, kStatus) == 0;
   texture.variable = Text(node, "variable", texture.is_used);
   texture.options.srgb = Word(node, "color_space", true, kSpaces) == 0;
+  texture.options.alpha_is_opacity = document_.Find(node, "alpha") == nullptr
+                                         ? texture.options.srgb
+                                         : Word(node, "alpha", true, kAlphas) == 0;
   texture.options.filter =
       Word(node, "filter", false, kFilters) == 0 ? ir::Filter::kLinear : ir::Filter::kNearest;
   ReadWraps(node, texture.options);
@@ -235,6 +282,8 @@ void Reader::ReadTexture(const DocumentNode& node) {
       Error(files->range, "a texture has one file, an array texture one or more");
     }
   }
+  ReadMasks(node, texture);
+  ReadKey(node, texture);
   manifest_.textures.push_back(std::move(texture));
 }
 

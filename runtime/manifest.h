@@ -14,6 +14,7 @@
 #include "compiler/base/diagnostics.h"
 #include "compiler/graph/document.h"
 #include "compiler/ir/type.h"
+#include "compiler/textures/prepare.h"
 #include "compiler/textures/texels.h"
 
 namespace texgraph::runtime {
@@ -51,6 +52,9 @@ struct ManifestTexture {
   std::string variable;  // the sampler in the shader; textures that are alike share one
   bool is_used = true;
   std::vector<std::string> files;  // relative to the manifest's folder
+  // What is still to be done with the files: none, one or a mask for each; relative paths, too.
+  std::vector<textures::MaskSource> masks;
+  std::optional<textures::ColorKey> key;
   textures::TextureOptions options;
   SourceRange place;
 };

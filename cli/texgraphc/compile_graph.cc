@@ -29,13 +29,15 @@ void WriteOutputs(const Options& options, CompiledGraph& graph, OutputPlanner& p
   std::vector<std::string> inputs;
   if (graph.path != "-") inputs.push_back(graph.path);
   inputs.insert(inputs.end(), compiled.dependencies.begin(), compiled.dependencies.end());
-  std::optional<OutputPaths> paths =
-      planner.Plan(compiled.name, compiled.dependencies, graph.diagnostics);
+  std::optional<OutputPaths> paths = planner.Plan(compiled, graph.diagnostics);
   if (!paths) return;
   OutputFiles files;
   if (paths->shader == "-") files.Add("-", std::move(compiled.dump));
   files.Add(paths->shader, ShaderBytes(options.compile, compiled));
   if (!paths->manifest.empty()) files.Add(paths->manifest, std::move(compiled.manifest));
+  for (size_t i = 0; i < paths->pictures.size(); ++i) {
+    files.Add(paths->pictures[i], std::move(compiled.pictures[i].png));
+  }
   if (!paths->dependencies.empty()) {
     const std::string& target =
         options.dependency_target.empty() ? paths->shader : options.dependency_target;
@@ -103,6 +105,7 @@ CompiledGraph CompileGraph(const Options& options, const std::string& path) {
   SourceId source = graph.sources.Add(standard_input ? "<stdin>" : path, std::move(*text));
   CompileOptions compile = options.compile;
   SetManifestPlace(options, compile);
+  compile.prepare_pictures = true;
   graph.compiled = Compile(source, format, compile, graph.sources, graph.diagnostics);
   if (options.no_warnings) graph.diagnostics.DropWarnings();
   if (options.warnings_are_errors) graph.diagnostics.PromoteWarnings();

@@ -64,14 +64,12 @@ std::string OutputPlanner::ManifestBeside(const std::string& shader) const {
   return free ? manifest : Stem(shader) + ".manifest.json";
 }
 
-std::optional<OutputPaths> OutputPlanner::Plan(const std::string& name,
-                                               const std::vector<std::string>& dependencies,
-                                               Diagnostics& diagnostics) {
-  AddInputs(dependencies);
+std::optional<OutputPaths> OutputPlanner::Plan(const Compiled& compiled, Diagnostics& diagnostics) {
+  AddInputs(compiled.dependencies);
   OutputPaths paths;
   paths.shader = options_.output;
   if (options_.OutputIsFolder()) {
-    paths.shader = JoinPath(options_.output, name);
+    paths.shader = JoinPath(options_.output, compiled.name);
     paths.shader += ShaderExtension(options_.compile.target, options_.compile.emit);
   }
   paths.manifest = options_.manifest;
@@ -81,7 +79,14 @@ std::optional<OutputPaths> OutputPlanner::Plan(const std::string& name,
     paths.dependencies =
         options_.dependency_file.empty() ? paths.shader + ".d" : options_.dependency_file;
   }
-  for (const std::string* path : {&paths.shader, &paths.manifest, &paths.dependencies}) {
+  if (!paths.manifest.empty()) {
+    for (const Compiled::Picture& picture : compiled.pictures) {
+      paths.pictures.push_back(JoinPath(std::string(FolderOf(paths.manifest)), picture.file));
+    }
+  }
+  std::vector<const std::string*> all = {&paths.shader, &paths.manifest, &paths.dependencies};
+  for (const std::string& picture : paths.pictures) all.push_back(&picture);
+  for (const std::string* path : all) {
     if (path->empty()) continue;
     std::string problem;
     if (IsInput(*path)) {

@@ -18,6 +18,8 @@ struct OutputPaths {
   std::string shader;        // "-" is standard output
   std::string manifest;      // "": none
   std::string dependencies;  // "": none
+  std::vector<std::string>
+      pictures;  // beside the manifest, one for each of Compiled; none without it
 };
 
 // What the manifest says about places, before the graph's name is known: see compile.h.
@@ -27,13 +29,11 @@ class OutputPlanner {
  public:
   explicit OutputPlanner(const Options& options);
 
-  // The paths for the graph `name`, which was made from `dependencies` beside its own file. Reports
+  // The paths for a graph, which was made from its dependencies beside its own file. Reports
   // kUsage where an output would replace a graph of the command line, a file that was read for this
   // graph or one before, or another output. The manifest is shader.json beside shader.frag or,
   // where that is an input (shader.frag made from shader.json), shader.manifest.json.
-  std::optional<OutputPaths> Plan(const std::string& name,
-                                  const std::vector<std::string>& dependencies,
-                                  Diagnostics& diagnostics);
+  std::optional<OutputPaths> Plan(const Compiled& compiled, Diagnostics& diagnostics);
 
  private:
   void AddInputs(const std::vector<std::string>& paths);

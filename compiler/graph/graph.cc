@@ -135,8 +135,8 @@ void GraphReader::ReadRoot(std::string_view file_name) {
 
 uint32_t FirstEqualTexture(const Graph& graph, uint32_t index) {
   auto state = [](const Texture& t) {
-    return std::tie(t.files, t.is_array, t.color_space, t.filter, t.wrap_u, t.wrap_v, t.mipmaps,
-                    t.max_level);
+    return std::tie(t.files, t.is_array, t.masks, t.key, t.color_space, t.alpha_is_opacity,
+                    t.filter, t.wrap_u, t.wrap_v, t.mipmaps, t.max_level);
   };
   uint32_t first = 0;
   while (first < index && state(graph.textures[first]) != state(graph.textures[index])) ++first;

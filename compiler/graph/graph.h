@@ -109,17 +109,48 @@ enum class ColorSpace : uint8_t { kSrgb, kLinear };  // "srgb"; "linear" (also "
 enum class TextureFilter : uint8_t { kLinear, kNearest };
 enum class TextureWrap : uint8_t { kRepeat, kClamp, kMirror };
 
+enum class MaskChannel : uint8_t { kRed, kGreen, kBlue, kAlpha };
+
+struct Mask {  // "mask.png", or { "file": "mask.png", "channel": "red", "invert": false }
+  std::string_view file;
+  SourceRange range;
+  MaskChannel channel = MaskChannel::kRed;
+  bool invert = false;
+  bool operator==(const Mask& other) const {
+    return file == other.file && channel == other.channel && invert == other.invert;
+  }
+};
+
+// "key": what textures::ColorKey is.
+struct ColorKey {
+  std::array<double, 3> color{};
+  double tolerance = 0.05;
+  int edge = 2;
+  bool operator==(const ColorKey&) const = default;
+};
+
 struct Texture {
   std::string_view name;
   SourceRange range;
   std::vector<std::string_view> files;  // one, or the layers of an array texture
   std::vector<SourceRange> file_ranges;
-  bool is_array = false;  // "layers": [...] instead of "file"
+  bool is_array = false;    // "layers": [...] instead of "file"
+  std::vector<Mask> masks;  // none, one for all layers, or one for each
+  std::optional<ColorKey> key;
   ColorSpace color_space = ColorSpace::kSrgb;
+  bool alpha_is_opacity = true;  // "alpha": "opacity" or "data"
   TextureFilter filter = TextureFilter::kLinear;
   TextureWrap wrap_u = TextureWrap::kRepeat, wrap_v = TextureWrap::kRepeat;
   bool mipmaps = true;
   std::optional<int> max_level;  // "max_level": the coarsest mip level that may be used
+
+  // Its pictures get another alpha channel before they are uploaded.
+  bool IsPrepared() const { return !masks.empty() || key.has_value(); }
+  // The mask of a layer; null if there is none.
+  const Mask* MaskOf(size_t layer) const {
+    if (masks.empty()) return nullptr;
+    return &masks[masks.size() == 1 ? 0 : layer];
+  }
 };
 
 struct FunctionInput {  // of a graph function: "scale": { "type": "float", "value": 1 } or "scale":

@@ -78,6 +78,10 @@ class GraphReader {
   void ReadFiles(const DocumentNode& node, const DocumentNode* file, const DocumentNode* layers,
                  Texture& texture);
   void ReadFile(const DocumentNode& node, Owner owner, Texture& texture);
+  bool ReadPath(const DocumentNode* node, Owner owner, std::string_view& path);
+  void ReadMasks(const DocumentNode& node, Owner owner, Texture& texture);
+  void ReadMask(const DocumentNode& node, Owner owner, Texture& texture);
+  void ReadKey(const DocumentNode& node, Owner owner, Texture& texture);
   void ReadParameters(const DocumentNode* section);
   void ReadParameter(const DocumentNode& node);
   void ReadRange(const DocumentNode* node, Owner owner, Parameter& parameter);

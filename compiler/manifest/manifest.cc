@@ -11,6 +11,7 @@
 #include "compiler/base/text.h"
 #include "compiler/graph/graph.h"
 #include "compiler/manifest/json_writer.h"
+#include "compiler/manifest/pictures.h"
 #include "compiler/manifest/usage.h"
 
 namespace texgraph::manifest {
@@ -193,13 +194,13 @@ class Printer {
     const std::vector<graph::Texture>& textures = graph_.graph->textures;
     for (size_t i = 0; i < textures.size(); ++i) {
       uint32_t same = graph::FirstEqualTexture(*graph_.graph, static_cast<uint32_t>(i));
-      PrintTexture(textures[i], textures[same]);
+      PrintTexture(static_cast<uint32_t>(i), textures[i], textures[same]);
     }
     json_.CloseList();
   }
 
   // `sampled`: the texture whose sampler it shares, perhaps itself.
-  void PrintTexture(const graph::Texture& texture, const graph::Texture& sampled) {
+  void PrintTexture(uint32_t index, const graph::Texture& texture, const graph::Texture& sampled) {
     const Entry* entry = Find(shader_.textures, sampled.name);
     json_.OpenObject();
     json_.String("name", texture.name);
@@ -210,13 +211,23 @@ class Printer {
       PrintNumber("location", entry->location);
       PrintNumber("binding", entry->binding);
     }
+    // What the shader does not sample is not made.
+    const bool prepared = texture.IsPrepared() && options_.prepare_pictures && entry != nullptr;
     std::vector<std::string> files;
-    for (std::string_view file : texture.files) {
-      std::string path = JoinPath(graph_folder_, file);
-      files.push_back(
-          JsonQuoted(file.starts_with('/') ? path : RelativePath(path, options_.manifest_folder)));
+    for (size_t layer = 0; layer < texture.files.size(); ++layer) {
+      files.push_back(prepared ? JsonQuoted(PreparedName(*graph_.graph, index, layer))
+                               : FileJson(texture.files[layer]));
     }
     json_.Raw("files", JsonList(files));
+    if (prepared) {
+      json_.OpenObject("prepared_from");
+      files.clear();
+      for (std::string_view file : texture.files) files.push_back(FileJson(file));
+      json_.Raw("files", JsonList(files));
+    }
+    PrintPreparation(texture);
+    if (prepared) json_.CloseObject();
+    json_.String("alpha", texture.alpha_is_opacity ? "opacity" : "data");
     json_.String("color_space",
                  texture.color_space == graph::ColorSpace::kSrgb ? "srgb" : "linear");
     json_.String("filter", texture.filter == graph::TextureFilter::kLinear ? "linear" : "nearest");
@@ -224,6 +235,34 @@ class Printer {
                                 JsonQuoted(WrapName(texture.wrap_v))}));
     json_.Bool("mipmaps", texture.mipmaps);
     if (texture.max_level) json_.Integer("max_level", *texture.max_level);
+    json_.CloseObject();
+  }
+
+  std::string FileJson(std::string_view file) const {
+    const std::string path = JoinPath(graph_folder_, file);
+    return JsonQuoted(file.starts_with('/') ? path : RelativePath(path, options_.manifest_folder));
+  }
+
+  void PrintPreparation(const graph::Texture& texture) {
+    if (!texture.masks.empty()) {
+      static constexpr std::string_view kChannels[] = {"red", "green", "blue", "alpha"};
+      json_.OpenList("masks");
+      for (const graph::Mask& mask : texture.masks) {
+        json_.OpenObject();
+        json_.Raw("file", FileJson(mask.file));
+        json_.String("channel", kChannels[static_cast<size_t>(mask.channel)]);
+        json_.Bool("invert", mask.invert);
+        json_.CloseObject();
+      }
+      json_.CloseList();
+    }
+    if (!texture.key) return;
+    json_.OpenObject("key");
+    std::vector<std::string> numbers;
+    for (double number : texture.key->color) numbers.push_back(DoubleText(number));
+    json_.Raw("color", JsonList(numbers));
+    json_.Raw("tolerance", DoubleText(texture.key->tolerance));
+    json_.Integer("edge", texture.key->edge);
     json_.CloseObject();
   }
 

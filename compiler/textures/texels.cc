@@ -130,6 +130,30 @@ ir::SamplerState SamplerFor(const TextureOptions& options) {
   return sampler;
 }
 
+// All texels of a coarse level that are transparent give their plain mean: this much of each counts
+// as there. It is below half a step of 16 bits by far.
+constexpr float kLeastOpacity = 0x1p-20f;
+
+// Multiplies colours by their weight, or divides them by it.
+void WeighColors(std::vector<Texel>& texels, bool divide) {
+  for (Texel& texel : texels) {
+    const float weight = texel[3] + kLeastOpacity;
+    for (size_t c = 0; c < 3; ++c) texel[c] = divide ? texel[c] / weight : texel[c] * weight;
+  }
+}
+
+void BuildLevels(const TextureOptions& options, ir::Texture& chain) {
+  const bool weigh =
+      options.alpha_is_opacity &&
+      std::ranges::any_of(chain.levels[0].texels, [](const Texel& t) { return t[3] != 1.0f; });
+  if (!weigh) return ir::BuildMipChain(chain);
+  std::vector<Texel> base = chain.levels[0].texels;
+  WeighColors(chain.levels[0].texels, false);
+  ir::BuildMipChain(chain);
+  chain.levels[0].texels = std::move(base);
+  for (size_t i = 1; i < chain.levels.size(); ++i) WeighColors(chain.levels[i].texels, true);
+}
+
 TextureData Build(std::span<const Image> layers, const TextureOptions& options) {
   TextureData data;
   data.format = FormatFor(layers, options);
@@ -145,7 +169,7 @@ TextureData Build(std::span<const Image> layers, const TextureOptions& options) 
   base.depth = data.layers;
   base.texels.reserve(size_t{base.width} * base.height * base.depth);
   for (const Image& image : layers) AppendLayer(image, options.srgb, base.texels);
-  if (options.mipmaps && options.max_level != 0u) ir::BuildMipChain(chain);
+  if (options.mipmaps && options.max_level != 0u) BuildLevels(options, chain);
   if (options.max_level && chain.levels.size() > size_t{*options.max_level} + 1) {
     chain.levels.resize(size_t{*options.max_level} + 1);
   }

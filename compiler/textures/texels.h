@@ -28,6 +28,9 @@ struct TexelLevel {
 
 struct TextureOptions {
   bool srgb = true;  // the numbers of the image are sRGB, not linear; alpha is always linear
+  // Alpha says how much of a texel there is: mip levels average colours weighted by it, so that
+  // what is transparent tints nothing. Else it is a number like the others.
+  bool alpha_is_opacity = false;
   bool mipmaps = true;
   std::optional<uint32_t> max_level;        // the coarsest level that is made
   ir::Filter filter = ir::Filter::kLinear;  // nearest also picks the nearest mip level

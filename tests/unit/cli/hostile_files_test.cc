@@ -28,9 +28,14 @@ class HostileFiles : public testing::Test {
   }
 
   Outcome Run(const std::string& image, std::vector<std::string> options = {"--root", "graphs"}) {
+    return RunTexture("\"file\": \"" + image + "\"", std::move(options));
+  }
+
+  Outcome RunTexture(const std::string& texture,
+                     std::vector<std::string> options = {"--root", "graphs"}) {
     folder.Write("graphs/g.json",
-                 "{ \"texgraph\": 1, \"textures\": { \"t\": { \"file\": \"" + image +
-                     "\" } }, \"nodes\": { \"n\": { \"block\": \"image\", \"in\": { \"picture\": "
+                 "{ \"texgraph\": 1, \"textures\": { \"t\": { " + texture +
+                     " } }, \"nodes\": { \"n\": { \"block\": \"image\", \"in\": { \"picture\": "
                      "\"t\" } } }, \"outputs\": { \"color\": \"n\" } }");
     fs::remove_all(folder / "out");
     fs::create_directory(folder / "out");
@@ -60,6 +65,32 @@ TEST_F(HostileFiles, RootHoldsImagesIn) {
     ExpectOutside(image);
   }
   ExpectOutside(folder / "private/c.png");
+}
+
+TEST_F(HostileFiles, RootHoldsMasksIn) {
+  EXPECT_EQ(RunTexture(R"("file": "a.png", "mask": "sub/b.png")").exit_code, 0);
+  for (const char* mask : {"../private/c.png", "link.png", "door/c.png"}) {
+    Outcome outcome = RunTexture(std::string(R"("file": "a.png", "mask": ")") + mask + "\"");
+    EXPECT_EQ(outcome.exit_code, 1) << mask << outcome.error;
+    EXPECT_THAT(outcome.error, testing::HasSubstr("[outside-root]")) << mask;
+  }
+}
+
+// What is left of white without white, and of a picture cut off behind its header.
+TEST_F(HostileFiles, PicturesThatLeaveNothingAndBrokenOnes) {
+  Outcome outcome = RunTexture(R"("file": "a.png", "key": { "color": [1, 1, 1] })");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
+  EXPECT_THAT(outcome.error, testing::HasSubstr("warning: nothing is left of image"));
+  const std::string whole = folder.Read("graphs/a.png");
+  for (size_t size = 0; size < whole.size(); size += 7) {
+    folder.Write("graphs/cut.png", whole.substr(0, size));
+    for (const char* texture :
+         {R"("file": "cut.png", "key": {})", R"("file": "a.png", "mask": "cut.png")"}) {
+      outcome = RunTexture(texture);
+      EXPECT_EQ(outcome.exit_code, 1) << size << outcome.error;
+      EXPECT_THAT(outcome.error, testing::HasSubstr("[bad-image]"));
+    }
+  }
 }
 
 TEST_F(HostileFiles, SeveralRootsAndNone) {

@@ -149,8 +149,8 @@ TEST_F(Manifest, TexturesWithFilesFromTheManifestsFolder) {
   EXPECT_EQ(
       Named(textures, "first"),
       json::parse(R"({ "name": "first", "type": "sampler2D", "status": "used", "variable": "first",
-      "files": ["../graph/pictures/a.png"], "color_space": "linear", "filter": "nearest", "wrap": ["clamp", "clamp"],
-      "mipmaps": false })"));
+      "files": ["../graph/pictures/a.png"], "alpha": "data", "color_space": "linear", "filter": "nearest",
+      "wrap": ["clamp", "clamp"], "mipmaps": false })"));
   EXPECT_EQ(Named(textures, "alike")["variable"], "first");
   EXPECT_EQ(Named(textures, "alike")["status"], "used");
   EXPECT_EQ(Named(textures, "spare")["status"], "unused");
@@ -159,6 +159,57 @@ TEST_F(Manifest, TexturesWithFilesFromTheManifestsFolder) {
   json elsewhere = Make({"-o", "graph/x.frag", "--manifest", "build/x.json"});
   EXPECT_EQ(elsewhere["shader"], "../graph/x.frag");
   EXPECT_EQ(elsewhere["textures"][0]["files"][0], "../graph/pictures/a.png");
+}
+
+// White with a white mask: what texgraphc prepares, and what it leaves to whoever needs it.
+TEST_F(Manifest, PreparedPicturesStandBesideIt) {
+  folder.Write("graph/wall.json", R"({ "texgraph": 1,
+    "textures": {
+      "cut": { "file": "pictures/a.png", "mask": { "file": "pictures/b.png", "invert": true }, "key": { "tolerance": 0.25 } },
+      "alike": { "file": "pictures/a.png", "mask": { "file": "pictures/b.png", "invert": true }, "key": { "tolerance": 0.25 } },
+      "stack": { "layers": ["pictures/a.png", "pictures/b.png"], "mask": "pictures/a.png" },
+      "idle": { "file": "pictures/a.png", "mask": "pictures/b.png" } },
+    "nodes": {
+      "a": { "block": "image", "in": { "picture": "cut" } },
+      "b": { "block": "image", "in": { "picture": "alike" } },
+      "c": { "block": "image", "in": { "picture": "stack" } },
+      "ab": { "block": "add", "in": { "a": "a", "b": "b" } },
+      "abc": { "block": "add", "in": { "a": "ab", "b": "c" } } },
+    "outputs": { "color": "abc" } })");
+  json textures = Make({"-o", "graph/x.frag", "--manifest", "build/x.json", "-MD"})["textures"];
+  EXPECT_EQ(Named(textures, "cut"), json::parse(R"({
+    "name": "cut", "type": "sampler2D", "status": "used", "variable": "cut", "files": ["wall.cut.png"],
+    "prepared_from": { "files": ["../graph/pictures/a.png"],
+      "masks": [{ "file": "../graph/pictures/b.png", "channel": "red", "invert": true }],
+      "key": { "color": [0, 0, 0], "tolerance": 0.25, "edge": 2 } },
+    "alpha": "opacity", "color_space": "srgb", "filter": "linear", "wrap": ["repeat", "repeat"], "mipmaps": true })"));
+  EXPECT_EQ(Named(textures, "alike")["files"][0], "wall.cut.png");
+  EXPECT_EQ(Named(textures, "stack")["files"],
+            json::parse(R"(["wall.stack.0.png", "wall.stack.1.png"])"));
+  EXPECT_EQ(Named(textures, "idle")["files"][0], "../graph/pictures/a.png");
+  EXPECT_EQ(Named(textures, "idle")["masks"][0]["file"], "../graph/pictures/b.png");
+  EXPECT_FALSE(Named(textures, "idle").contains("prepared_from"));
+  std::vector<std::string> written;
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "build"))
+    written.push_back(entry.path().filename());
+  EXPECT_THAT(written, testing::UnorderedElementsAre("x.json", "wall.cut.png", "wall.stack.0.png",
+                                                     "wall.stack.1.png"));
+  EXPECT_EQ(folder.Read("graph/x.frag.d"),
+            "graph/x.frag: \\\n  graph/wall.json \\\n  graph/pictures/a.png \\\n"
+            "  graph/pictures/b.png\n");
+  // The same bytes again, and none over a picture that is read.
+  const std::string before = folder.Read("build/wall.stack.1.png");
+  Make({"-o", "build/x.frag"});
+  EXPECT_EQ(folder.Read("build/wall.stack.1.png"), before);
+  std::filesystem::copy_file(folder / "b.png", folder / "graph/pictures/wall.idle.png");
+  folder.Write("graph/wall.json", R"({ "texgraph": 1,
+    "textures": { "idle": { "file": "pictures/wall.idle.png", "mask": "pictures/a.png" } },
+    "nodes": { "a": { "block": "image", "in": { "picture": "idle" } } }, "outputs": { "color": "a" } })");
+  Outcome outcome =
+      Texgraphc({"graph/wall.json", "-o", "graph/pictures/x.frag"}, folder.path()).Run();
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.error,
+              testing::HasSubstr("wall.idle.png': it is one of the files that are read"));
 }
 
 TEST_F(Manifest, NumbersAreThoseOfTheShader) {

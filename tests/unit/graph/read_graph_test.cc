@@ -230,6 +230,84 @@ TEST(ReadGraph, ReportsMistakesOfTextures) {
       {texture(R"("file": "a", "mipmaps": 1)"), {"3:31 graph-shape"}, "must be a bool"},
       {texture(R"("file": "a", "max_level": 1.5)"), {"3:33 bad-value"}, "from 0 to 30"},
       {texture(R"("file": "a", "max_level": -1)"), {"3:33 bad-value"}, "from 0 to 30"},
+      {texture(R"("file": "a", "alpha": "mask")"),
+       {"3:29 bad-value"},
+       "'alpha' of texture 't' is 'opacity' or 'data', not 'mask'"},
+  });
+}
+
+TEST(ReadGraph, ReadsMasksAndKeys) {
+  ReadGraphText read{With(R"("textures": {
+    "plain": { "file": "a" },
+    "data": { "file": "a", "color_space": "data" },
+    "cut": { "file": "a", "mask": "m", "color_space": "data" },
+    "turned": { "file": "a", "mask": { "file": "m", "channel": "alpha", "invert": true }, "alpha": "data" },
+    "each": { "layers": ["a", "b"], "mask": ["m", { "file": "n" }], "key": {} },
+    "both": { "layers": ["a", "b"], "mask": "m" },
+    "key": { "file": "a", "key": { "color": [1, 0.5, 0], "tolerance": 0, "edge": 64 } } })")};
+  ASSERT_TRUE(read.graph) << read.Messages();
+  const std::vector<Texture>& textures = read.graph->textures;
+  EXPECT_FALSE(textures[0].IsPrepared());
+  EXPECT_TRUE(textures[0].alpha_is_opacity);
+  EXPECT_FALSE(textures[1].alpha_is_opacity);
+  EXPECT_TRUE(textures[2].IsPrepared() && textures[2].alpha_is_opacity);
+  EXPECT_EQ(textures[2].MaskOf(0)->file, "m");
+  EXPECT_EQ(textures[2].MaskOf(0)->channel, MaskChannel::kRed);
+  EXPECT_FALSE(textures[2].MaskOf(0)->invert || textures[2].key);
+  EXPECT_EQ(textures[3].MaskOf(0)->channel, MaskChannel::kAlpha);
+  EXPECT_TRUE(textures[3].MaskOf(0)->invert);
+  EXPECT_FALSE(textures[3].alpha_is_opacity);
+  EXPECT_EQ(textures[4].MaskOf(1)->file, "n");
+  EXPECT_EQ(*textures[4].key, ColorKey());
+  EXPECT_EQ(textures[5].MaskOf(1)->file, "m");
+  EXPECT_EQ(textures[6].MaskOf(0), nullptr);
+  EXPECT_THAT(textures[6].key->color, ElementsAre(1, 0.5, 0));
+  EXPECT_EQ(textures[6].key->tolerance, 0);
+  EXPECT_EQ(textures[6].key->edge, 64);
+}
+
+TEST(ReadGraph, ReportsMistakesOfMasksAndKeys) {
+  auto texture = [](std::string_view body) {
+    return With(fmt::format("\"textures\": {{\n\"t\": {{\"file\": \"a\",\n{}}}}}", body));
+  };
+  ExpectMistakes({
+      {texture(R"("mask": "")"), {"4:9 bad-value"}, "the file's name is empty"},
+      {texture(R"("mask": "a\nb")"), {"4:9 bad-value"}, "control characters"},
+      {texture(R"("mask": 3)"), {"4:9 graph-shape"}, "must be text"},
+      {texture(R"("mask": null)"), {"4:9 graph-shape"}, "must be text"},
+      {texture(R"("mask": {})"),
+       {"4:1 missing-key"},
+       "the mask of texture 't' needs the key 'file'"},
+      {texture(R"("mask": {"file": "m", "chanel": "red"})"),
+       {"4:23 unknown-key"},
+       "did you mean 'channel'?"},
+      {texture(R"("mask": {"file": "m", "channel": "r"})"),
+       {"4:34 bad-value"},
+       "is 'red', 'green', 'blue' or 'alpha', not 'r'"},
+      {texture(R"("mask": {"file": "m", "invert": 1})"), {"4:33 graph-shape"}, "must be a bool"},
+      {texture(R"("mask": ["m"])"),
+       {"4:9 bad-value"},
+       "a list of masks belongs to 'layers'; a texture of one file has one mask"},
+      {With("\"textures\": {\n\"t\": {\"layers\": [\"a\", \"b\"], \"mask\": [\"m\"]}}"),
+       {"3:37 bad-value"},
+       "there are 1 masks for 2 layers; give one for each, or one without a list for all of them"},
+      {texture(R"("key": true)"), {"4:8 graph-shape"}, "must be an object"},
+      {texture(R"("key": {"colour": [0, 0, 0]})"),
+       {"4:9 unknown-key"},
+       "the key of texture 't' has no key 'colour'; did you mean 'color'?"},
+      {texture(R"("key": {"color": [0, 0]})"),
+       {"4:18 bad-value"},
+       "a key's 'color' is red, green and blue, each from 0 to 1"},
+      {texture(R"("key": {"color": [0, 0, 255]})"), {"4:18 bad-value"}, "each from 0 to 1"},
+      {texture(R"("key": {"color": [0, "0", 0]})"), {"4:18 bad-value"}, "each from 0 to 1"},
+      {texture(R"("key": {"color": [0, 0, 0, 0]})"), {"4:18 bad-value"}, "each from 0 to 1"},
+      {texture(R"("key": {"color": 0})"), {"4:18 graph-shape"}, "must be an array"},
+      {texture(R"("key": {"tolerance": 1})"), {"4:22 bad-value"}, "from 0 up to, but not, 1"},
+      {texture(R"("key": {"tolerance": -0.1})"), {"4:22 bad-value"}, "from 0 up to"},
+      {texture(R"("key": {"edge": 65})"),
+       {"4:17 bad-value"},
+       "'edge' is a whole number of texels from 0 to 64"},
+      {texture(R"("key": {"edge": 1.5})"), {"4:17 bad-value"}, "a whole number"},
   });
 }
 

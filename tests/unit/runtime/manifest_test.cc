@@ -43,7 +43,8 @@ const char* const kWhole = R"({
     {"name": "brick", "type": "sampler2D", "status": "used", "variable": "wall", "files": ["a/brick.png"], "color_space": "srgb",
      "filter": "nearest", "wrap": ["clamp", "mirror"], "mipmaps": false, "max_level": 4},
     {"name": "stains", "type": "sampler2DArray", "status": "unused", "files": ["1.png", "2.png"],
-     "color_space": "linear"}]
+     "color_space": "linear", "masks": [{"file": "m.png", "channel": "green", "invert": true}],
+     "key": {"color": [1, 0.5, 0], "tolerance": 0.25, "edge": 7}, "alpha": "opacity"}]
 })";
 
 TEST(ManifestTest, ReadsEverything) {
@@ -80,6 +81,17 @@ TEST(ManifestTest, ReadsEverything) {
   EXPECT_TRUE(manifest.textures[1].options.is_array);
   EXPECT_FALSE(manifest.textures[1].options.srgb);
   EXPECT_FALSE(manifest.textures[1].is_used);
+  // Where a manifest says nothing of alpha, the colour space does.
+  EXPECT_TRUE(brick.alpha_is_opacity);
+  EXPECT_TRUE(manifest.textures[1].options.alpha_is_opacity);
+  EXPECT_FALSE(manifest.textures[0].key || !manifest.textures[0].masks.empty());
+  ASSERT_EQ(manifest.textures[1].masks.size(), 1u);
+  EXPECT_EQ(manifest.textures[1].masks[0].file, "m.png");
+  EXPECT_EQ(manifest.textures[1].masks[0].channel, textures::MaskChannel::kGreen);
+  EXPECT_TRUE(manifest.textures[1].masks[0].invert);
+  EXPECT_EQ(manifest.textures[1].key->color, (std::array<float, 3>{1, 0.5f, 0}));
+  EXPECT_EQ(manifest.textures[1].key->tolerance, 0.25f);
+  EXPECT_EQ(manifest.textures[1].key->edge, 7u);
 }
 
 TEST(ManifestTest, TellsAManifestFromAGraph) {
@@ -129,6 +141,16 @@ TEST(ManifestTest, ReportsMistakesAtTheirPlaces) {
       {"[\"clamp\", \"mirror\"]", "[\"clamp\", \"mirror\", \"repeat\"]", "'wrap' holds two names"},
       {"[\"clamp\", \"mirror\"]", "[\"clamp\", \"border\"]", "'border' is no wrap"},
       {"\"max_level\": 4", "\"max_level\": 1000", "'max_level' must be an integer from 0 to 31"},
+      {"\"alpha\": \"opacity\"", "\"alpha\": \"straight\"", "'straight' is no alpha"},
+      {"\"masks\": [", "\"masks\": [{\"file\": \"a\"}, {\"file\": \"b\"}, ",
+       "one mask, or one for each"},
+      {"\"file\": \"m.png\", ", "", "the manifest has no 'file' here"},
+      {"\"green\"", "\"luma\"", "'luma' is no channel"},
+      {"[1, 0.5, 0], \"tol", "[1, 0.5], \"tol", "three numbers from 0 to 1"},
+      {"[1, 0.5, 0], \"tol", "[1, 0.5, 2], \"tol", "three numbers from 0 to 1"},
+      {"[1, 0.5, 0], \"tol", "[1, 0.5, 0, 0], \"tol", "three numbers from 0 to 1"},
+      {"\"tolerance\": 0.25", "\"tolerance\": 1e300", "a number from 0 up to, but not, 1"},
+      {"\"edge\": 7", "\"edge\": 65", "'edge' must be an integer from 0 to 64"},
       {"\"something_new\": [1]", "\"outputs\": []", "outputs"},
   };
   for (const Mistake& mistake : mistakes) {

@@ -203,5 +203,40 @@ TEST(TexelsTest, SamplerFollowsTheOptions) {
   EXPECT_EQ(Make(image, options).sampler.mip_filter, ir::MipFilter::kNone);
 }
 
+// A red texel of half opacity and one of full, the rest transparent and black.
+TEST(TexelsTest, OpacityWeighsTheColorsOfMipLevels) {
+  const Image image =
+      MakeImage(2, 2, 4, 8, {255, 0, 0, 102, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 255, 255});
+  TextureOptions options;
+  options.srgb = false;
+  options.as_float = true;
+  options.alpha_is_opacity = true;
+  const ir::Texture weighed = ToTexture(Make(image, options));
+  const auto& texel = weighed.levels[1].texels[0];
+  // 0.4 of red and 1 of blue.
+  EXPECT_NEAR(texel[0], 0.4 / 1.4, 1e-5);
+  EXPECT_NEAR(texel[2], 1 / 1.4, 1e-5);
+  EXPECT_NEAR(texel[3], 1.4 / 4, 1e-6);
+  // Level 0 is the picture.
+  EXPECT_EQ(weighed.levels[0].texels[1], (std::array<float, 4>{0, 0, 1, 1}));
+  options.alpha_is_opacity = false;
+  const auto plain = ToTexture(Make(image, options)).levels[1].texels[0];
+  EXPECT_NEAR(plain[0], 0.25, 1e-6);
+  EXPECT_NEAR(plain[3], 1.4 / 4, 1e-6);
+}
+
+TEST(TexelsTest, TransparentTexelsHaveTheirPlainMean) {
+  const Image image = MakeImage(2, 1, 4, 8, {255, 0, 51, 0, 0, 102, 153, 0});
+  TextureOptions options;
+  options.srgb = false;
+  options.as_float = true;
+  options.alpha_is_opacity = true;
+  const auto texel = ToTexture(Make(image, options)).levels[1].texels[0];
+  EXPECT_NEAR(texel[0], 0.5, 1e-6);
+  EXPECT_NEAR(texel[1], 0.2, 1e-6);
+  EXPECT_NEAR(texel[2], 0.4, 1e-6);
+  EXPECT_EQ(texel[3], 0);
+}
+
 }  // namespace
 }  // namespace texgraph::textures
