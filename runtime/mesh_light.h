@@ -25,14 +25,15 @@ uniform vec3 $ground;
 uniform vec4 $lamp_axis[3];  // and sharpness
 uniform vec3 $lamp_radiance[3];
 
-// The radiance that comes about `direction`, averaged over a lobe of this sharpness. `spread` is how
-// much of the difference between sky and ground is left by that average.
+// The radiance that comes about `direction`, averaged over a lobe of this sharpness. `spread` is
+// how much of the difference between sky and ground is left by that average.
 vec3 $environment(vec3 direction, float sharpness, float spread) {
   vec3 light = mix($ground, $sky, 0.5 + 0.5 * spread * direction.y);
   for (int i = 0; i < 3; ++i) {
     float own = $lamp_axis[i].w;
     float both = own * sharpness / (own + sharpness);
-    light += $lamp_radiance[i] * (both / own) * exp(both * (dot(direction, $lamp_axis[i].xyz) - 1.0));
+    float aside = dot(direction, $lamp_axis[i].xyz) - 1.0;
+    light += $lamp_radiance[i] * (both / own) * exp(both * aside);
   }
   return light;
 }
@@ -99,8 +100,8 @@ vec3 $from_height(float height, vec2 uv) {
   return normalize(vec3(vec2(hy * dx.y - hx * dy.y, hx * dy.x - hy * dx.x) / area, 1.0));
 }
 
-// Opacity as covered samples: the higher it is the more of a pixel's are drawn, in another order for
-// each triangle, so that what is behind shows through in any order of drawing.
+// Opacity as covered samples: the higher it is the more of a pixel's are drawn, in another order
+// for each triangle, so that what is behind shows through in any order of drawing.
 const int $order[16] = int[16](0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5);
 bool $is_covered(float opacity, int side) {
   if (side == 1) return opacity >= 0.5;

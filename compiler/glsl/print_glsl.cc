@@ -42,6 +42,7 @@ class ShaderPrinter {
   std::string Print() {
     if (options_.for_spirv) names_.DeclareBoolsAsUints();
     PlaceGlobals();
+    interface_.entry_point = options_.as_function ? names_.Shader() : "main";
     PrintHeader();
     PrintInputs();
     PrintParameters();

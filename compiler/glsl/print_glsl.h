@@ -44,6 +44,7 @@ struct ShaderInterface {
   };
   std::vector<Entry> inputs, uniforms, specializations, textures;
   std::vector<Output> outputs;  // in the order of main's results
+  std::string entry_point;      // main, or the function's name, which gives way to a global's
 };
 
 std::string PrintGlsl(const ir::Module& module, const PrintOptions& options,

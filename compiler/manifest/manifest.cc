@@ -75,7 +75,7 @@ class Printer {
     json_.String("shader", ShaderName());
     json_.String("dialect", DialectName(options_.target));
     json_.String("emit", options_.emit == Emit::kShader ? "shader" : "function");
-    json_.String("entry_point", options_.emit == Emit::kShader ? "main" : graph_.graph->name);
+    json_.String("entry_point", shader_.entry_point);
     PrintInputs();
     PrintOutputs();
     PrintParameters();

@@ -147,6 +147,19 @@ TEST_F(MeshProgramTest, TakesTheManifestOfAFunction) {
   EXPECT_THAT(refused.error, HasSubstr("a whole shader cannot be put on a mesh"));
 }
 
+// A graph that is called like one of its uniforms: the function has another name then.
+TEST_F(MeshProgramTest, TakesAGraphThatIsCalledLikeItsParameter) {
+  folder.Write("shine.json", kGraph);
+  Program program;
+  program.path = TEXGRAPH_PROGRAM;
+  program.folder = folder.path();
+  program.arguments = {"render", "shine.json", "--size", "32", "--mesh", "cube", "-o", "a.png"};
+  const Outcome outcome = program.Run();
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+  ExpectSuccess({"--mesh", "cube", "-o", "b.png"});
+  EXPECT_EQ(folder.Read("a.png"), folder.Read("b.png"));
+}
+
 TEST_F(MeshProgramTest, SaysWhatIsWrongWithAMesh) {
   folder.Write("bad.glb", "not a mesh");
   folder.Write("empty.glb", "");
