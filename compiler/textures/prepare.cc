@@ -66,9 +66,10 @@ class Preparer {
         width_(picture.width),
         height_(picture.height),
         alpha_(size_t{width_} * height_, 1.0f) {
-    if (picture.bits != 8) return;
-    table_.resize(256);
-    for (uint32_t i = 0; i < 256; ++i) table_[i] = Linear(static_cast<float>(i) / 255.0f);
+    const uint32_t most = picture.bits == 8 ? 255 : 65535;
+    for (uint32_t i = 0; i <= most; ++i) {
+      table_.push_back(Linear(static_cast<float>(i) / static_cast<float>(most)));
+    }
   }
 
   void ApplyMask(const Image* mask) {
@@ -100,10 +101,7 @@ class Preparer {
 
   Color OwnColor(uint32_t x, uint32_t y) const {
     Color color;
-    for (uint32_t c = 0; c < 3; ++c) {
-      const uint32_t sample = SampleAt(x, y, c);
-      color[c] = table_.empty() ? Linear(static_cast<float>(sample) / 65535.0f) : table_[sample];
-    }
+    for (uint32_t c = 0; c < 3; ++c) color[c] = table_[SampleAt(x, y, c)];
     return color;
   }
 
@@ -121,7 +119,7 @@ class Preparer {
   const Image& picture_;
   const PictureSource& source_;
   const uint32_t width_, height_;
-  std::vector<float> table_;  // linear light of each number of 8 bits
+  std::vector<float> table_;  // linear light of each number that the picture can have
   std::vector<float> alpha_;
   std::vector<Texel> colors_;  // instead of the picture's own where the weight is 1; may be empty
 };
@@ -151,8 +149,10 @@ void Preparer::ApplyKey() {
       if (background[i] != 0) continue;
       const Color own = OwnColor(x, y);
       const Color beyond = Minus(own, key);
-      // Where nothing is free of the background, in thin lines, what is furthest from it counts.
-      const float weight = near[i] != 0 ? kDoubtfulWeight * std::min(Dot(beyond, beyond), 1.0f) : 1;
+      // What a picture with alpha hides says nothing. Where nothing is free of the background, in
+      // thin lines, what is furthest from it counts.
+      const float known = near[i] != 0 ? kDoubtfulWeight * std::min(Dot(beyond, beyond), 1.0f) : 1;
+      const float weight = known * alpha_[i];
       kept[i] = {own[0] * weight, own[1] * weight, own[2] * weight, weight};
     }
   }

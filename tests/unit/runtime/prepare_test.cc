@@ -163,6 +163,21 @@ TEST(Key, WhatIsFarFromTheBackgroundStaysToTheBit) {
   }
 }
 
+// White under an alpha of 0 does not make the colour next to it lighter.
+TEST(Key, HiddenColorsDoNotCount) {
+  const uint8_t half = SrgbEncode8(0.2f), full = SrgbEncode8(0.4f);
+  const Image picture = MakeImage(16, 1, 4, [&](uint32_t x, uint32_t, uint32_t c) -> uint8_t {
+    if (c == 3) return x < 8 ? 255 : 0;
+    return x < 4 ? 0 : x == 4 ? half : x < 8 ? full : 255;
+  });
+  const Image image = Prepare(picture, Keyed({0, 0, 0}, 0.05f, 3));
+  EXPECT_NEAR(image.At(4, 0, 3), 128, 4);
+  for (uint32_t x = 0; x < 16; ++x) {
+    EXPECT_NEAR(image.At(x, 0, 0), full, 3) << x;
+    if (x != 4) EXPECT_NEAR(image.At(x, 0, 3), x > 4 && x < 8 ? 255 : 0, 4) << x;
+  }
+}
+
 // A line one texel wide has no inside. Its texels stand for themselves.
 TEST(Key, ThinLinesStay) {
   const Image picture = MakeImage(32, 32, 3, [](uint32_t x, uint32_t, uint32_t c) -> uint8_t {
