@@ -242,8 +242,9 @@ TEST_F(Output, BlocksAreListedAndDescribed) {
   Outcome generic = Run({"--print-reference", "add"});
   EXPECT_THAT(generic.out, HasSubstr("genType is float, vec2, vec3 or vec4"));
   Outcome list_port = Run({"--print-reference", "sdf_polygon"});
-  EXPECT_THAT(list_port.out, HasSubstr("points  const vec2[]  default vec2[](vec2(0.1), vec2(0.5, "
-                                       "0.3), vec2(0.9, 0.1), vec2(0.5, 0.9)), 3 to 1024 elements"));
+  EXPECT_THAT(list_port.out,
+              HasSubstr("points  const vec2[]  default vec2[](vec2(0.1), vec2(0.5, "
+                        "0.3), vec2(0.9, 0.1), vec2(0.5, 0.9)), 3 to 1024 elements"));
   Outcome unknown = Run({"--print-reference", "brick_gird"});
   EXPECT_EQ(unknown.exit_code, 1);
   EXPECT_THAT(unknown.error, HasSubstr("did you mean 'brick_grid'? [unknown-block]"));
