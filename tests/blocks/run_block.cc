@@ -17,7 +17,7 @@
 #include "compiler/ir/evaluate.h"
 #include "compiler/ir/module.h"
 #include "compiler/ir/verify.h"
-#include "compiler/textures/image.h"
+#include "compiler/manifest/pictures.h"
 #include "compiler/textures/texels.h"
 
 namespace texgraph::blocks {
@@ -236,14 +236,16 @@ Textures LoadTextures(const Lowered& lowered, const std::string& folder) {
       }
       Diagnostics diagnostics;
       std::vector<textures::Image> images;
-      for (std::string_view file : texture.files) {
-        auto image = textures::ReadImage(folder + std::string(file), {}, diagnostics);
+      for (size_t layer = 0; layer < texture.files.size(); ++layer) {
+        auto image =
+            textures::ReadPicture(manifest::PictureOf(texture, layer, folder), diagnostics);
         EXPECT_TRUE(image.has_value());
         if (image) images.push_back(std::move(*image));
       }
       textures::TextureOptions options;
       options.is_array = texture.is_array;
       options.srgb = texture.color_space == graph::ColorSpace::kSrgb;
+      options.alpha_is_opacity = texture.alpha_is_opacity;
       auto data = textures::MakeTexture(images, options, texture.name, {}, diagnostics);
       EXPECT_TRUE(data.has_value());
       loaded.textures.push_back(textures::ToTexture(*data));

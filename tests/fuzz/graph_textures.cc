@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "compiler/base/files.h"
+#include "compiler/manifest/pictures.h"
 
 namespace texgraph::fuzz {
 
@@ -13,13 +13,14 @@ GraphTextures LoadGraphTextures(const graph::Graph& graph, const std::string& fo
   for (const graph::Texture& texture : graph.textures) {
     std::vector<textures::Image> layers;
     Diagnostics diagnostics;
-    for (std::string_view file : texture.files) {
-      auto image = textures::ReadImage(JoinPath(folder, file), {}, diagnostics);
+    for (size_t layer = 0; layer < texture.files.size(); ++layer) {
+      auto image = textures::ReadPicture(manifest::PictureOf(texture, layer, folder), diagnostics);
       if (image) layers.push_back(std::move(*image));
     }
     if (layers.size() != texture.files.size()) continue;
     textures::TextureOptions how;
     how.srgb = texture.color_space == graph::ColorSpace::kSrgb;
+    how.alpha_is_opacity = texture.alpha_is_opacity;
     how.mipmaps = texture.mipmaps && mipmaps;
     if (texture.max_level) how.max_level = static_cast<uint32_t>(*texture.max_level);
     how.filter = texture.filter == graph::TextureFilter::kNearest ? ir::Filter::kNearest
