@@ -248,6 +248,26 @@ TEST(MeshLightTest, AWhiteFurnaceShowsNothing) {
   }
 }
 
+// A mirror ball shows a lamp where it reflects the view towards it, nearly as bright: halfway in
+// angle. The lamp stands 60 degrees to the right, so the place is where the normal is at 30.
+TEST(MeshLightTest, LampsAreWhereTheyShine) {
+  RenderRequest request = MeshRequest("sphere", Outputs({{1, 1, 1}, 1, 0}), 128);
+  request.scene->camera.distance = 100;  // so that all rays are nearly parallel
+  request.scene->camera.field_of_view = 2 * std::atan(1.0 / 100) * 180 / kPi;
+  request.scene->camera.yaw = 70;
+  request.scene->lighting.lamps[1] = {{2, 4, 8}, 60, 0, 50};
+  const RenderResult result = Draw(request);
+  uint32_t brightest = 0;
+  for (uint32_t x = 0; x < 128; ++x) {
+    if (FloatAt(result.outputs[0], 128, x, 64, 0) >
+        FloatAt(result.outputs[0], 128, brightest, 64, 0))
+      brightest = x;
+  }
+  EXPECT_NEAR((brightest + 0.5) / 64 - 1, std::sin(kPi / 6), 0.02);
+  for (uint32_t c = 0; c < 3; ++c)
+    EXPECT_NEAR(FloatAt(result.outputs[0], 128, brightest, 64, c), 2 << c, 0.05 * (2 << c));
+}
+
 // The mean light of a wall whose texture's normal leans by `normal`, with the light from yaw,
 // pitch.
 float LightOf(RenderRequest request, double yaw, double pitch) {
@@ -280,6 +300,10 @@ TEST(MeshLightTest, NormalsPointWhereUAndVGrow) {
   ComputeTangents(mesh);
   mirrored.scene->mesh = std::make_shared<Mesh>(mesh);
   EXPECT_NEAR(LightOf(mirrored, -50, 0), LightOf(right, 50, 0), 1e-3);  // beside the middle
+  // v grows upwards all the same.
+  RenderRequest mirrored_up = up;
+  mirrored_up.scene->mesh = mirrored.scene->mesh;
+  EXPECT_NEAR(LightOf(mirrored_up, 0, 50), LightOf(up, 0, 50), 1e-5);
 }
 
 // A slope of 3 in a height that counts 0.2 leans like the normal (-0.6, 0, 1); upwards alike.
