@@ -41,21 +41,25 @@ float MaskNumber(const Image& mask, const MaskSource& source, uint32_t x, uint32
 float Dot(const Color& a, const Color& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 Color Minus(const Color& a, const Color& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
-// Marks what lies within `reach` of a marked place along a line of `count`, `stride` apart.
-void SpreadLine(std::vector<uint8_t>& marks, size_t first, size_t stride, uint32_t count,
-                uint32_t reach, std::vector<uint8_t>& line) {
-  line.assign(count, 0);
-  uint32_t since = reach + 1;  // places since the last mark
-  for (uint32_t i = 0; i < count; ++i) {
-    since = marks[first + i * stride] != 0 ? 0 : std::min(since + 1, reach + 1);
-    if (since <= reach) line[i] = 1;
+// Marks what lies within `reach` of a marked place along one axis of `outer` times `count` times
+// `inner` places.
+std::vector<uint8_t> Spread(const std::vector<uint8_t>& marks, size_t outer, size_t count,
+                            size_t inner, uint32_t reach) {
+  std::vector<uint8_t> spread(marks.size());
+  std::vector<uint32_t> since(inner);  // places since the last mark
+  const auto visit = [&](size_t first) {
+    for (size_t k = 0; k < inner; ++k) {
+      since[k] = marks[first + k] != 0 ? 0 : std::min(since[k] + 1, reach + 1);
+      if (since[k] <= reach) spread[first + k] = 1;
+    }
+  };
+  for (size_t o = 0; o < outer; ++o) {
+    std::ranges::fill(since, reach + 1);
+    for (size_t i = 0; i < count; ++i) visit((o * count + i) * inner);
+    std::ranges::fill(since, reach + 1);
+    for (size_t i = count; i-- > 0;) visit((o * count + i) * inner);
   }
-  since = reach + 1;
-  for (uint32_t i = count; i-- > 0;) {
-    since = marks[first + i * stride] != 0 ? 0 : std::min(since + 1, reach + 1);
-    if (since <= reach) line[i] = 1;
-  }
-  for (uint32_t i = 0; i < count; ++i) marks[first + i * stride] = line[i];
+  return spread;
 }
 
 class Preparer {
@@ -128,18 +132,13 @@ class Preparer {
 // the edge is a mixture, C = a F + (1 - a) K, of that colour F and the key K, so a is the part of
 // the way from K to F that it went.
 void Preparer::ApplyKey() {
-  std::vector<uint8_t> near(alpha_.size());
+  std::vector<uint8_t> background(alpha_.size());
   for (uint32_t y = 0; y < height_; ++y) {
-    for (uint32_t x = 0; x < width_; ++x) near[At(x, y)] = IsBackground(x, y) ? 1 : 0;
+    for (uint32_t x = 0; x < width_; ++x) background[At(x, y)] = IsBackground(x, y) ? 1 : 0;
   }
-  const std::vector<uint8_t> background = near;
-  std::vector<uint8_t> line;
-  for (uint32_t y = 0; y < height_; ++y) {
-    SpreadLine(near, At(0, y), 1, width_, source_.key->edge, line);
-  }
-  for (uint32_t x = 0; x < width_; ++x) {
-    SpreadLine(near, x, width_, height_, source_.key->edge, line);
-  }
+  const uint32_t edge = source_.key->edge;
+  const std::vector<uint8_t> near =
+      Spread(Spread(background, height_, width_, 1, edge), 1, height_, width_, edge);
   Color key;
   for (uint32_t c = 0; c < 3; ++c) key[c] = Linear(source_.key->color[c]);
   std::vector<Texel> kept(alpha_.size());
