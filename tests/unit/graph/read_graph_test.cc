@@ -461,11 +461,15 @@ TEST(ReadGraph, TooManyNodesAreRefused) {
 TEST(ReadGraph, EqualTexturesAreFound) {
   ReadGraphText read{With(R"("textures": {
       "a": {"file": "x.png"}, "b": {"file": "y.png"}, "c": {"file": "x.png", "wrap": "repeat"},
-      "d": {"file": "x.png", "wrap_v": "clamp"}, "e": {"layers": ["x.png"]}})")};
+      "d": {"file": "x.png", "wrap_v": "clamp"}, "e": {"layers": ["x.png"]},
+      "f": {"file": "x.png", "mask": "m"}, "g": {"file": "x.png", "mask": {"file": "m"}},
+      "h": {"file": "x.png", "mask": {"file": "m", "invert": true}},
+      "i": {"file": "x.png", "key": {}}, "j": {"file": "x.png", "key": {"edge": 3}},
+      "k": {"file": "x.png", "key": {"tolerance": 0.05}}, "l": {"file": "x.png", "alpha": "data"}})")};
   ASSERT_TRUE(read.graph) << read.Messages();
   std::vector<uint32_t> first;
-  for (uint32_t i = 0; i < 5; ++i) first.push_back(FirstEqualTexture(*read.graph, i));
-  EXPECT_THAT(first, ElementsAre(0, 1, 0, 3, 4));
+  for (uint32_t i = 0; i < 12; ++i) first.push_back(FirstEqualTexture(*read.graph, i));
+  EXPECT_THAT(first, ElementsAre(0, 1, 0, 3, 4, 5, 5, 7, 8, 9, 8, 11));
 }
 
 }  // namespace
