@@ -382,6 +382,27 @@ TEST(MeshSamplesTest, OpacityIsTheShareOfSamples) {
   }
 }
 
+// Behind a front side, a back side: what is left of the background are products.
+TEST(MeshSamplesTest, TheInsideShowsThroughTheOutside) {
+  Mesh mesh = *MakeShape("wall");
+  const Mesh wall = mesh;
+  for (Vertex vertex : wall.vertices) {
+    vertex.position.z = -0.1f;
+    mesh.vertices.push_back(vertex);
+  }
+  for (size_t i = 0; i < wall.indices.size(); i += 3) {
+    for (size_t corner : {i, i + 2, i + 1}) mesh.indices.push_back(4 + wall.indices[corner]);
+  }
+  for (double opacity : {0.25, 0.5, 0.75}) {
+    RenderRequest request =
+        MeshRequest("wall", {{"opacity", ir::kFloat, std::to_string(opacity)}}, 16);
+    request.scene->samples = 4;
+    request.scene->mesh = std::make_shared<Mesh>(mesh);
+    const RenderResult result = Draw(request);
+    EXPECT_EQ(FloatAt(result.outputs[0], 16, 8, 7, 3), 1 - (1 - opacity) * (1 - opacity));
+  }
+}
+
 TEST(MeshSamplesTest, BackgroundsAreWhatWasAskedFor) {
   RenderRequest request = MeshRequest("wall", {{"emission", ir::kVec3, "vec3(0.2)"}}, 16);
   request.format = PixelFormat::kImage8;
