@@ -169,6 +169,8 @@ void CheckRender(const CLI::App& app, const Raw& raw, RenderOptions& options,
                                                                                  : Target::kGlsl450;
   options.context = static_cast<runtime::ContextChoice>(
       ReadWord("--context", raw.context, {"auto", "egl", "osmesa"}, diagnostics));
+  if (app.count("--mesh") > 0 && options.mesh.mesh.empty())
+    Usage(diagnostics, "--mesh takes a shape or a .glb file, got ''");
   ReadMeshOptions(raw.mesh, app.count("--uv") > 0, options, diagnostics);
   ReadSequenceOptions(raw.sequence, options, diagnostics);
   ReadSeconds("--timeout", raw.timeout, options.timeout, diagnostics);

@@ -168,6 +168,7 @@ TEST_F(MeshProgramTest, SaysWhatIsWrongWithAMesh) {
   ExpectFailure({"--mesh", "empty.glb", "-o", "a.png"}, 1, "[bad-mesh]");
   ExpectFailure({"--mesh", "none.glb", "-o", "a.png"}, 3, "[cannot-read]");
   ExpectFailure({"--mesh", "/", "-o", "a.png"}, 3, "[cannot-read]");
+  ExpectFailure({"--mesh", "", "-o", "a.png"}, 2, "--mesh takes a shape");
   ExpectFailure({"--mesh", "spere", "-o", "a.png"}, 2, "did you mean 'sphere'?");
   ExpectFailure({"--mesh", "a.glb", "-o", "a.glb", "--format", "png"}, 2, "cannot write 'a.glb'");
 }
