@@ -74,6 +74,10 @@ struct File {
   std::string path;
   SourceId source;
   bool valid = false;  // the declarations are right
+  // The documentation was read, which gives ports their defaults and ranges: of blocks that graphs
+  // use. What other blocks call needs none.
+  bool is_described = false;
+  bool is_described_well = false;
   std::unique_ptr<FileAst> ast;
   std::map<std::string_view, StructInfo> structs;
   std::map<std::string_view, ConstantInfo> constants;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compiler/blocks/lexer.h"
 
+#include <array>
 #include <bit>
 #include <charconv>
 #include <cmath>
+#include <cstring>
+#include <span>
 
 #include "compiler/base/text.h"
 
@@ -24,6 +27,37 @@ constexpr Spelling kKeywords[] = {
 #define KEYWORD(id, text) {TokenKind::id, text},
 #include "compiler/blocks/tokens.def"
 };
+
+// The spellings that begin with a character: from `first`, `count` of them, in their order.
+struct Spellings {
+  uint8_t first = 0, count = 0;
+};
+
+template <size_t kCount>
+struct SpellingTable {
+  std::array<Spelling, kCount> sorted{};
+  std::array<Spellings, 128> by_character{};
+
+  constexpr explicit SpellingTable(const Spelling (&spellings)[kCount]) {
+    uint8_t next = 0;
+    for (size_t c = 0; c < by_character.size(); ++c) {
+      by_character[c].first = next;
+      for (const Spelling& spelling : spellings) {
+        if (static_cast<size_t>(spelling.text[0]) == c) sorted[next++] = spelling;
+      }
+      by_character[c].count = static_cast<uint8_t>(next - by_character[c].first);
+    }
+  }
+
+  std::span<const Spelling> BeginningWith(char c) const {
+    const auto index = static_cast<unsigned char>(c);
+    if (index >= by_character.size()) return {};
+    return std::span(sorted).subspan(by_character[index].first, by_character[index].count);
+  }
+};
+
+constexpr SpellingTable kPunctuationTable(kPunctuation);
+constexpr SpellingTable kKeywordTable(kKeywords);
 
 constexpr bool IsDigit(char c) { return c >= '0' && c <= '9'; }
 constexpr bool IsHexDigit(char c) {
@@ -117,7 +151,7 @@ class Lexer {
     if (IsDigit(c) || (c == '.' && IsDigit(Peek(1)))) return LexNumber();
     if (IsWord(c)) return LexWord();
     size_t begin = at_;
-    for (const Spelling& spelling : kPunctuation) {
+    for (const Spelling& spelling : kPunctuationTable.BeginningWith(c)) {
       if (!text_.substr(at_).starts_with(spelling.text)) continue;
       at_ += spelling.text.size();
       return Push(spelling.kind, begin);
@@ -132,7 +166,7 @@ class Lexer {
     size_t begin = at_;
     while (IsWord(Peek())) ++at_;
     std::string_view word = text_.substr(begin, at_ - begin);
-    for (const Spelling& keyword : kKeywords) {
+    for (const Spelling& keyword : kKeywordTable.BeginningWith(word[0])) {
       if (word == keyword.text) return Push(keyword.kind, begin);
     }
     Push(TokenKind::kIdentifier, begin);
@@ -233,6 +267,13 @@ class Lexer {
 // The first byte that is not UTF-8, or the size.
 size_t InvalidByte(std::string_view text) {
   for (size_t i = 0; i < text.size();) {
+    // Most text is ASCII: eight bytes at a time.
+    uint64_t eight = 0x80;
+    if (i + 8 <= text.size()) std::memcpy(&eight, text.data() + i, 8);
+    if ((eight & 0x8080808080808080u) == 0) {
+      i += 8;
+      continue;
+    }
     if (static_cast<uint8_t>(text[i]) < 0x80) {
       ++i;
       continue;

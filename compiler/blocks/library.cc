@@ -181,7 +181,13 @@ Library::~Library() = default;
 
 const Block* Library::Find(std::string_view name) {
   File* file = impl_->FindFile(name);
-  return file ? &file->block : nullptr;
+  if (!file) return nullptr;
+  if (!std::exchange(file->is_described, true)) {
+    const size_t errors = impl_->diagnostics.error_count();
+    CheckDocs(*impl_, *file);
+    file->is_described_well = impl_->diagnostics.error_count() == errors;
+  }
+  return file->is_described_well ? &file->block : nullptr;
 }
 
 bool Library::Exists(std::string_view name) const { return impl_->HasFile(name); }

@@ -30,26 +30,46 @@ Types::Types() {
 }
 
 TypeId Types::Intern(Type type) {
-  uint32_t words = 0;
   TypeId id(types_.size());
-  switch (type.kind) {
-    case TypeKind::kVoid:
-    case TypeKind::kField: break;
-    case TypeKind::kVector: words = Width(id); break;
-    case TypeKind::kMatrix: words = MatrixSize(id) * MatrixSize(id); break;
-    case TypeKind::kSampler: words = 1; break;
-    case TypeKind::kStruct:
-      for (const StructField& field : type.fields) words += Words(field.type);
-      break;
-    case TypeKind::kTuple:
-      for (TypeId element : type.elements) words += Words(element);
-      break;
-    case TypeKind::kArray: words = type.length * Words(type.elements[0]); break;
-  }
   types_.push_back(std::move(type));
-  words_.push_back(words);
+  words_.push_back(CountWords(id));
   by_text_.emplace(Text(id), id);
   return id;
+}
+
+// From those of what the type holds, which comes before it.
+uint32_t Types::CountWords(TypeId id) const {
+  const Type& type = types_[id.index];
+  uint32_t words = 0;
+  switch (type.kind) {
+    case TypeKind::kVoid:
+    case TypeKind::kField:
+      return 0;
+    case TypeKind::kVector:
+      return Width(id);
+    case TypeKind::kMatrix:
+      return MatrixSize(id) * MatrixSize(id);
+    case TypeKind::kSampler:
+      return 1;
+    case TypeKind::kStruct:
+      for (const StructField& field : type.fields) words += Words(field.type);
+      return words;
+    case TypeKind::kTuple:
+      for (TypeId element : type.elements) words += Words(element);
+      return words;
+    case TypeKind::kArray:
+      return type.length * Words(type.elements[0]);
+  }
+  return 0;
+}
+
+void Types::KeepFields(TypeId id, const std::vector<bool>& keep) {
+  std::vector<StructField> kept;
+  for (size_t i = 0; i < keep.size(); ++i) {
+    if (keep[i]) kept.push_back(std::move(types_[id.index].fields[i]));
+  }
+  types_[id.index].fields = std::move(kept);
+  for (uint32_t i = id.index; i < types_.size(); ++i) words_[i] = CountWords(TypeId(i));
 }
 
 TypeId Types::Struct(std::string_view name, std::vector<StructField> fields) {

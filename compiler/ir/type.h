@@ -78,6 +78,9 @@ class Types {
   TypeId Array(TypeId element, uint32_t length);
   TypeId Tuple(std::span<const TypeId> elements);
   TypeId Field(TypeId result, std::span<const TypeId> parameters);
+  // Drops the other members of a struct, which keeps its name and id; what holds such structs
+  // changes with it.
+  void KeepFields(TypeId id, const std::vector<bool>& keep);
   // A basic type or a struct by name; invalid if there is none.
   TypeId Find(std::string_view name) const;
 
@@ -90,6 +93,7 @@ class Types {
 
  private:
   TypeId Intern(Type type);
+  uint32_t CountWords(TypeId id) const;
   std::vector<Type> types_;
   std::vector<uint32_t> words_;
   std::map<std::string, TypeId, std::less<>> by_text_;

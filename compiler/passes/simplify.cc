@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "compiler/ir/rebuild.h"
+#include "compiler/passes/narrow_structs.h"
 #include "compiler/passes/simplify_function.h"
 
 namespace texgraph::passes {
@@ -32,7 +33,7 @@ class Simplifier {
       FindCalls();
       DropUnreachable();
       FindUse();
-      if (!CopyStale()) break;
+      if (!CopyStale() && !NarrowStructs(module_, stale_)) break;
     }
     FindCalls();
     DropUnreachable();

@@ -30,6 +30,8 @@ class SimplifyRebuilder : public ir::Rebuilder {
   void LeaveSide(ValueId old_if, bool taken) override;
 
  private:
+  bool IsConstantCall(const ir::Function& callee);
+
   const std::vector<CopiedFunction>& copies_;
   std::vector<ValueId> arguments_;  // of one call at a time
   // What Get gave before a side was entered; one list for each open side.
@@ -66,7 +68,8 @@ void SimplifyRebuilder::CopyCall(ValueId old, std::span<ValueId> results) {
   const uint32_t new_count = static_cast<uint32_t>(function.results.size());
   std::vector<ValueId> inlined;
   ValueId call;
-  if (copy.is_inlined) {
+  const bool is_inlined = copy.is_inlined || IsConstantCall(function);
+  if (is_inlined) {
     inlined.resize(new_count);
     CopyInline(function, arguments_, to_, inlined);
   } else {
@@ -75,8 +78,20 @@ void SimplifyRebuilder::CopyCall(ValueId old, std::span<ValueId> results) {
   for (uint32_t i = 0; i < count; ++i) {
     if (results[i] || !live_.LiveResult(old, i)) continue;
     const uint32_t index = copy.result_index[i];
-    results[i] = copy.is_inlined ? inlined[index] : to_.Result(call, index, new_count);
+    results[i] = is_inlined ? inlined[index] : to_.Result(call, index, new_count);
   }
+}
+
+// With nothing but constants, most of the callee folds.
+bool SimplifyRebuilder::IsConstantCall(const ir::Function& callee) {
+  auto is_constant = [&](ValueId argument) { return to_.IsConst(argument); };
+  auto is_plain = [&](ValueId v) {
+    const ir::OpShape shape = ir::Info(callee[v].op).shape;
+    return shape != ir::OpShape::kControl && shape != ir::OpShape::kCalling &&
+           shape != ir::OpShape::kLeaf;
+  };
+  return !arguments_.empty() && std::ranges::all_of(arguments_, is_constant) &&
+         std::ranges::all_of(callee.Body().body, is_plain);
 }
 
 void SimplifyRebuilder::EnterSide(ValueId old_if, bool taken) {
