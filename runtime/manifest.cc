@@ -127,7 +127,7 @@ void Reader::ReadInput(const DocumentNode& node) {
   input.type = Type(node);
   input.location = Integer(node, "location", kMaxLocation);
   for (const BuiltinInput& known : kBuiltinInputs) {
-    if (input.name != known.name) continue;
+    if (input.name != known.name || known.kind == BuiltinKind::kZero) continue;
     if (input.type == types_.Find(known.type)) {
       manifest_.inputs.push_back(std::move(input));
     } else if (input.type.valid()) {

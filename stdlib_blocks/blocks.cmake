@@ -31,6 +31,8 @@ set(TEXGRAPH_STDLIB_BLOCKS
   layers/apply_mask.glsl
   layers/blend.glsl
   layers/layer.glsl
+  layers/layer_element.glsl
+  layers/layer_neighbours.glsl
   layers/over.glsl
   math/absolute.glsl
   math/add.glsl

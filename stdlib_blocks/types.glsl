@@ -14,6 +14,14 @@ const int ALPHA_PREMULTIPLIED = 1;
 /// local: the point in the tile's own frame, from (0, 0) at its lower left corner to (1, 1).
 /// size: width and height of that frame in texture space, to keep lengths and angles there.
 /// seed: random bits that all points of a tile share and no two tiles have in common; see `random`.
+/// right, up: the directions of the frame's axes in texture space, of length 1. Where a frame is
+/// turned or mirrored, what has a direction itself, a normal say, turns with it.
+/// pitch: how far apart the grid's columns and rows are, in texture space; 0 if the grid cannot
+/// show its neighbours.
+/// largest, drift, tilt: what the frame can be in any tile of the grid, whatever is drawn at random:
+/// its greatest width and height, the greatest distance of its middle from the middle of the grid's
+/// tile, both in texture space, and the greatest |cos| and |sin| of its angle there. From these
+/// `layer_neighbours` knows how far an element can reach.
 ///
 /// A layer gives a tile as well, its own frame, in which `local` may lie outside the unit square.
 struct Tile {
@@ -21,4 +29,10 @@ struct Tile {
   vec2 local;
   vec2 size;
   uint seed;
+  vec2 right;
+  vec2 up;
+  vec2 pitch;
+  vec2 largest;
+  vec2 drift;
+  vec2 tilt;
 };

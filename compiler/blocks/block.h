@@ -46,6 +46,11 @@ struct Port {
   // a built-in input ("uv"), or neither: the port must be connected.
   ir::ConstId default_value;
   std::string default_input;
+  // "@computed name advice": of a template port without a value, it is what this block of the
+  // library gives for the ports that are named as its inputs. If that is not known when the shader
+  // is made, it is the default. The advice says what to change when it is out of range.
+  std::string computed_by;
+  std::string advice;
   std::optional<double> minimum, maximum;  // "@range 0 1", each component
   // How many elements an array has: "@length 3 256", or 1 to kMaxArrayLength; 0 for other types.
   uint32_t min_length = 0, max_length = 0;

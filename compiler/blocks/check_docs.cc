@@ -39,8 +39,8 @@ struct ParameterDoc {
   std::vector<Setting> settings;
 };
 
-constexpr std::string_view kInlineTags[] = {"@default", "@length",  "@range",
-                                            "@unit",    "@ordered", "@not_below"};
+constexpr std::string_view kInlineTags[] = {"@default", "@length",    "@range",   "@unit",
+                                            "@ordered", "@not_below", "@computed"};
 constexpr std::string_view kTags[] = {"@param", "@return", "@source"};
 
 bool IsBlank(char c) { return c == ' ' || c == '\t'; }
@@ -309,7 +309,7 @@ class DocChecker {
     port.help = doc->help;
     // The default is checked against the range.
     for (std::string_view tag :
-         {"@unit", "@range", "@length", "@default", "@ordered", "@not_below"}) {
+         {"@unit", "@range", "@length", "@default", "@ordered", "@not_below", "@computed"}) {
       for (const Setting& setting : doc->settings) {
         if (setting.tag.text == tag) SetSetting(port, setting, is_input);
       }
@@ -326,6 +326,8 @@ class DocChecker {
       SetLength(port, setting);
     } else if (IsOrder(tag)) {
       if (!is_input) Error(setting.tag.range, "an output has no '" + std::string(tag) + "'");
+    } else if (tag == "@computed") {
+      SetComputed(port, setting);
     } else if (!is_input || port.kind == PortKind::kTexture) {
       Error(setting.tag.range, is_input ? "a texture has no default" : "an output has no default");
     } else {
@@ -344,7 +346,7 @@ class DocChecker {
     Piece least = TakeWord(rest), most = TakeWord(rest);
     double minimum = 0, maximum = 0;
     bool read = ReadNumber(least.text, minimum) && ReadNumber(most.text, maximum);
-    TypeId type = port.kind == PortKind::kField ? TypeId() : port.type;
+    TypeId type = ValueType(port);
     if (!read || !rest.text.empty() || minimum > maximum) {
       Error(setting.value.range, "a range is two numbers, the lesser first: '@range 0 1'");
     } else if (!type || !ir::IsVector(ElementOf(type)) || ir::IsBool(ElementOf(type))) {
@@ -383,9 +385,21 @@ class DocChecker {
     }
   }
 
+  void SetComputed(Port& port, const Setting& setting) {
+    Piece rest = setting.value;
+    Piece name = TakeWord(rest);
+    if (port.kind != PortKind::kTemplate || !port.default_value) {
+      Error(setting.tag.range, "only a 'const' parameter with a default is computed");
+    } else if (!IsIdentifier(name.text)) {
+      Error(name.range, "'@computed' needs the name of a block");
+    } else {
+      port.computed_by = name.text;
+      port.advice = rest.text;
+    }
+  }
+
   void SetDefault(Port& port, const Piece& value) {
-    TypeId type =
-        port.kind == PortKind::kField ? program_.module.types[port.type].elements[0] : port.type;
+    TypeId type = ValueType(port);
     const File* shared = program_.SharedFile();
     bool is_constant =
         file_.constants.contains(value.text) || (shared && shared->constants.contains(value.text));
@@ -469,9 +483,15 @@ class DocChecker {
 
   static bool IsOrder(std::string_view tag) { return tag == "@ordered" || tag == "@not_below"; }
 
-  static bool HoldsNumbers(const Port& port) {
-    bool value = port.kind == PortKind::kValue || port.kind == PortKind::kTemplate;
-    return value && ir::IsVector(port.type) && !ir::IsBool(port.type) && port.words.empty();
+  // Of a field, the type of its results.
+  TypeId ValueType(const Port& port) const {
+    const ir::Types& types = program_.module.types;
+    return port.kind == PortKind::kField ? types[port.type].elements[0] : port.type;
+  }
+
+  bool HoldsNumbers(const Port& port) const {
+    TypeId type = ValueType(port);
+    return ir::IsVector(type) && !ir::IsBool(type) && port.words.empty();
   }
 
   void SetOrder(const Overload& overload, Port& port) {
@@ -484,7 +504,7 @@ class DocChecker {
   }
 
   void SetOrdered(Port& port, const Setting& setting) {
-    if (!HoldsNumbers(port) || ir::IsScalar(port.type)) {
+    if (!HoldsNumbers(port) || ir::IsScalar(ValueType(port))) {
       return Error(setting.tag.range, "only vectors of numbers are '@ordered'");
     }
     port.ordered = true;
@@ -503,7 +523,7 @@ class DocChecker {
                    "there is no input '" + Printable(name, 60) + "'" + DidYouMean(name, known));
     }
     if (&*least == &port || !HoldsNumbers(port) || !HoldsNumbers(*least) ||
-        least->type != port.type) {
+        ValueType(*least) != ValueType(port)) {
       return Error(setting.value.range,
                    "'@not_below' names another input of numbers of the same type");
     }
@@ -516,7 +536,7 @@ class DocChecker {
   void CheckDefaultOrder(const Port& port, std::span<const uint32_t> least,
                          std::span<const uint32_t> most, const Setting& setting) {
     for (size_t i = 0; i < least.size(); ++i) {
-      if (NumberOf(port.type, most[i]) >= NumberOf(port.type, least[i])) continue;
+      if (NumberOf(ValueType(port), most[i]) >= NumberOf(ValueType(port), least[i])) continue;
       return Error(setting.tag.range, "the defaults break '" + std::string(setting.tag.text) + "'");
     }
   }

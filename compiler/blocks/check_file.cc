@@ -51,7 +51,6 @@ class FileChecker {
       }
     } else if (program_.diagnostics.error_count() == errors) {
       MakeBlock();
-      CheckDocs(program_, file_);
     }
     file_.valid = program_.diagnostics.error_count() == errors;
   }

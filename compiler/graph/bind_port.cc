@@ -219,6 +219,9 @@ std::optional<BoundPort> SubgraphChecker::BindDefault(const Target& target, Sour
   const blocks::Port& port = target.port;
   if (!port.type.valid()) return std::nullopt;  // the reason was reported
   bool field = port.kind == blocks::PortKind::kField;
+  if (!port.computed_by.empty()) {
+    return BoundPort{ComputedValue{}, port.type, port.type, {}, range};
+  }
   if (port.default_value.valid()) {
     if (!field) {
       return BoundPort{ConstantValue{port.default_value}, port.type, port.type, {}, range};

@@ -35,6 +35,9 @@ struct ConstantValue {  // already of the port's type
   ir::ConstId value;
 };
 
+// What the port's block computes from other ports ("@computed"); known after BuildModule.
+struct ComputedValue {};
+
 // What a function port is bound to.
 struct FieldOfTexture {  // texture(t, first parameter), a vec4
   uint32_t texture;
@@ -68,7 +71,7 @@ struct FieldOfConstant {  // already of the field's result type
 
 using Source =
     std::variant<ConstantValue, NodeOutput, ParameterRef, BuiltinRef, FunctionInputRef, TextureRef,
-                 FieldOfTexture, FieldOfFunction, FieldOfNode, FieldOfParameter, FieldOfBuiltin,
+                 ComputedValue, FieldOfTexture, FieldOfFunction, FieldOfNode, FieldOfParameter, FieldOfBuiltin,
                  FieldOfFunctionInput, FieldOfConstant>;
 
 struct BoundPort {

@@ -27,6 +27,13 @@ std::optional<size_t> FirstBelow(ir::TypeId type, std::span<const uint32_t> leas
   return std::nullopt;
 }
 
+// Of a value port, or of a function port that is the same everywhere.
+ir::ConstId KnownValue(const BoundPort& bound) {
+  if (auto* constant = std::get_if<ConstantValue>(&bound.source)) return constant->value;
+  if (auto* constant = std::get_if<FieldOfConstant>(&bound.source)) return constant->value;
+  return {};
+}
+
 std::string WordText(ir::TypeId type, uint32_t word) {
   if (ir::IsFloat(type)) return fmt::format("{}", std::bit_cast<float>(word));
   if (ir::ScalarOf(type) == ir::Scalar::kInt) return fmt::format("{}", static_cast<int32_t>(word));
@@ -41,16 +48,17 @@ void SubgraphChecker::CheckPortOrder(const CheckedNode& checked, const blocks::O
   for (uint32_t i = 0; i < overload.inputs.size(); ++i) {
     const blocks::Port& port = overload.inputs[i];
     if (port.not_below) CheckNotBelow(checked, overload, i);
-    const auto* constant = std::get_if<ConstantValue>(&checked.inputs[i].source);
-    if (!port.ordered || constant == nullptr) continue;
-    std::span<const uint32_t> words = check_.module.Words(constant->value);
-    auto at = FirstBelow(port.type, words.first(words.size() - 1), words.subspan(1));
+    const ir::ConstId constant = KnownValue(checked.inputs[i]);
+    if (!port.ordered || !constant) continue;
+    const ir::TypeId type = check_.module.constant(constant).type;
+    std::span<const uint32_t> words = check_.module.Words(constant);
+    auto at = FirstBelow(type, words.first(words.size() - 1), words.subspan(1));
     if (!at) continue;
     Place place{"port", port.name, "node", checked.node->name, port.range};
     place.AddNote(check_.diagnostics.Error(
         DiagnosticKind::kValueRange, checked.inputs[i].range,
         fmt::format("{} takes its least value first, got {} before {}", place.Text(),
-                    WordText(port.type, words[*at]), WordText(port.type, words[*at + 1]))));
+                    WordText(type, words[*at]), WordText(type, words[*at + 1]))));
   }
 }
 
@@ -60,12 +68,12 @@ void SubgraphChecker::CheckNotBelow(const CheckedNode& checked, const blocks::Ov
   const uint32_t least_index = *overload.inputs[most_index].not_below;
   const BoundPort& least_bound = checked.inputs[least_index];
   const BoundPort& most_bound = checked.inputs[most_index];
-  const auto* least = std::get_if<ConstantValue>(&least_bound.source);
-  const auto* most = std::get_if<ConstantValue>(&most_bound.source);
-  if (least == nullptr || most == nullptr) return;
-  const ir::TypeId type = overload.inputs[most_index].type;
-  std::span<const uint32_t> low = check_.module.Words(least->value);
-  std::span<const uint32_t> high = check_.module.Words(most->value);
+  const ir::ConstId least = KnownValue(least_bound);
+  const ir::ConstId most = KnownValue(most_bound);
+  if (!least || !most) return;
+  const ir::TypeId type = check_.module.constant(most).type;
+  std::span<const uint32_t> low = check_.module.Words(least);
+  std::span<const uint32_t> high = check_.module.Words(most);
   auto at = FirstBelow(type, low, high);
   if (!at) return;
   // A default has the place of its node.

@@ -86,6 +86,9 @@ struct Function {
   std::vector<Parameter> parameters;
   std::vector<Result> results;
   RegionId body;
+  // Of a field of one argument, before Specialize: the last two parameters are an argument and the
+  // result for it, so that nothing has to be computed for that.
+  bool knows_home = false;
 
   std::vector<Inst> insts;
   std::vector<ValueId> operands;

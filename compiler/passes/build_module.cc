@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "compiler/ir/builder.h"
+#include "compiler/passes/computed_ports.h"
 #include "compiler/passes/passes.h"
 
 namespace texgraph::passes {
@@ -24,6 +25,8 @@ using graph::CheckedSubgraph;
 using ir::ValueId;
 
 constexpr uint32_t kBuiltinCount = std::size(kBuiltinInputs);
+constexpr uint32_t kNeighbour = 4;
+static_assert(kBuiltinInputs[kNeighbour].name == "neighbour");
 // Functions at function ports of nodes that are themselves evaluated for a function port, and so
 // on.
 constexpr int kMaxFieldDepth = 64;
@@ -40,6 +43,9 @@ struct Capture {
 struct FieldFunction {
   ir::FunctionId id;
   std::vector<Capture> captures;  // in the order of the function's last parameters
+  // Set where nothing but another `neighbour` is asked for: the node whose value the field has
+  // where `neighbour` stays what it is around the field. See ir::Function::knows_home.
+  std::optional<graph::NodeOutput> here;
 };
 
 // Sets of built-in inputs, a bit each.
@@ -52,7 +58,12 @@ class Program {
  public:
   Program(const CheckedGraph& graph, blocks::Library& library, ir::Module& module, bool fold,
           Diagnostics& diagnostics)
-      : graph(graph), library(library), module(module), fold(fold), diagnostics(diagnostics) {}
+      : graph(graph),
+        library(library),
+        module(module),
+        fold(fold),
+        diagnostics(diagnostics),
+        computed(library, module, graph_functions, diagnostics) {}
 
   bool Build();
   const FieldFunction* Field(const CheckedSubgraph& subgraph, const BoundPort& bound,
@@ -69,8 +80,9 @@ class Program {
   ir::Module& module;
   const bool fold;
   Diagnostics& diagnostics;
-  std::vector<ir::FunctionId> graph_functions;  // by index in CheckedGraph::functions
   std::vector<BuiltinSet> function_use;         // likewise
+  std::vector<ir::FunctionId> graph_functions;  // by index in CheckedGraph::functions
+  ComputedPorts computed;
   bool failed = false;
 
  private:
@@ -195,7 +207,9 @@ ValueId Scope::Builtin(uint32_t index) {
     ir::TypeId type = program_.module.types.Find(input.type);
     return CaptureValue({Capture::Kind::kBuiltin, index, 0}, type, input.name);
   }
-  return builtins_[index] = builder_.Global(program_.BuiltinGlobal(index));
+  return builtins_[index] = input.kind == BuiltinKind::kZero
+                                ? builder_.Zero(program_.module.types.Find(input.type))
+                                : builder_.Global(program_.BuiltinGlobal(index));
 }
 
 ValueId Scope::Input(uint32_t index) {
@@ -252,6 +266,12 @@ ValueId Scope::Field(const BoundPort& bound, const blocks::Port& port) {
   if (!field) return ValueId();
   std::vector<ValueId> captured;
   for (const Capture& capture : field->captures) captured.push_back(Resolve(capture));
+  if (field->here) {
+    captured.push_back(Builtin(kNeighbour));
+    ValueId here = Output(*field->here);
+    if (program_.failed) return ValueId();
+    captured.push_back(Convert(here, program_.module.types[bound.type].elements[0]));
+  }
   return builder_.Emit(ir::Op::kFieldRef, bound.type, captured, field->id.index);
 }
 
@@ -316,6 +336,7 @@ void Scope::PushNeeds(uint32_t node, std::vector<uint32_t>& stack) {
       for (const Capture& capture : field->captures) {
         if (capture.kind == Capture::Kind::kNodeOutput) stack.push_back(capture.index);
       }
+      if (field->here) stack.push_back(field->here->node);
     }
   }
 }
@@ -373,12 +394,14 @@ void Scope::EmitBlock(const CheckedNode& node, uint32_t index) {
   for (size_t i = 0; i < node.inputs.size(); ++i) {
     const blocks::Port& port = node.overload->inputs[i];
     if (port.kind == blocks::PortKind::kTemplate) {
-      template_values.push_back(std::get<graph::ConstantValue>(node.inputs[i].source).value);
+      template_values.push_back(program_.computed.TemplateValue(subgraph_, index, i));
+      if (!template_values.back()) program_.failed = true;
       continue;
     }
     arguments.push_back(Value(node.inputs[i], &port));
     if (!arguments.back()) program_.failed = true;
   }
+  if (program_.failed) return;
   ir::FunctionId callee = program_.library.Function(*node.block, *node.overload, template_values);
   if (!callee) program_.failed = true;
   if (program_.failed) return;
@@ -417,9 +440,9 @@ void Program::DeclareGlobals() {
   parameters_.resize(graph.parameters.size());
   textures_.resize(graph.graph->textures.size());
   for (uint32_t b = 0; b < kBuiltinCount; ++b) {
-    // A coordinate varies over the surface; time is the same for a whole frame.
-    ir::GlobalKind kind =
-        kBuiltinInputs[b].name == "time" ? ir::GlobalKind::kUniform : ir::GlobalKind::kInput;
+    if (kBuiltinInputs[b].kind == BuiltinKind::kZero) continue;
+    ir::GlobalKind kind = kBuiltinInputs[b].kind == BuiltinKind::kUniform ? ir::GlobalKind::kUniform
+                                                                          : ir::GlobalKind::kInput;
     builtins_[b] = module.AddGlobal({kind,
                                      std::string(kBuiltinInputs[b].name),
                                      module.types.Find(kBuiltinInputs[b].type),
@@ -559,8 +582,16 @@ const FieldFunction* Program::Field(const CheckedSubgraph& subgraph, const Bound
   --field_depth_;
   if (failed || !value) return nullptr;
   scope.builder().Return({{value}});
+  FieldFunction field{{}, scope.captures(), {}};
+  auto* node = std::get_if<graph::FieldOfNode>(&bound.source);
+  if (node && ReplacedSet(replaced) == 1u << kNeighbour) {
+    field.here = node->source;
+    function.knows_home = true;
+    scope.builder().AddParameter({"home", elements[1]});
+    scope.builder().AddParameter({port.name, elements[0]});
+  }
   module.functions.push_back(std::move(function));
-  FieldFunction field{ir::FunctionId(module.functions.size() - 1), scope.captures()};
+  field.id = ir::FunctionId(module.functions.size() - 1);
   return &fields_.emplace(std::move(key), std::move(field)).first->second;
 }
 

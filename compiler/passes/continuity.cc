@@ -116,7 +116,9 @@ void ContinuityScan::Visit(ValueId v, bool uniform_flow) {
   std::span<const ValueId> operands = function_.Operands(inst);
   Continuity state = kUniform;
   switch (inst.op) {
-    case Op::kGlobal: state = OfGlobal(inst); break;
+    case Op::kGlobal:
+      state = OfGlobal(inst);
+      break;
     case Op::kFloor:
     case Op::kCeil:
     case Op::kTrunc:
@@ -128,25 +130,40 @@ void ContinuityScan::Visit(ValueId v, bool uniform_flow) {
     case Op::kDx:
     case Op::kDy:
     case Op::kDfdx:
-    case Op::kDfdy: state = Step(JoinOperands(v)); break;
+    case Op::kDfdy:
+      state = Step(JoinOperands(v));
+      break;
     case Op::kFract:
     case Op::kFmod:
-    case Op::kAtan2: state = Jump(JoinOperands(v)); break;  // atan jumps where the angle comes round
-    case Op::kConvert: state = ir::IsFloat(inst.type) ? JoinOperands(v) : Step(JoinOperands(v)); break;
+    case Op::kAtan2:
+      state = Jump(JoinOperands(v));
+      break;  // atan jumps where the angle comes round
+    case Op::kConvert:
+      state = ir::IsFloat(inst.type) ? JoinOperands(v) : Step(JoinOperands(v));
+      break;
     case Op::kSelect:
       for (size_t l = 0; l < States(v).size(); ++l) {
-        States(v)[l] = Choose(States(operands[0])[0], States(operands[1])[l], States(operands[2])[l]);
+        States(v)[l] =
+            Choose(States(operands[0])[0], States(operands[1])[l], States(operands[2])[l]);
       }
       return;
-    case Op::kIndex: state = Choose(States(operands[1])[0], States(operands[0])[0], kUniform); break;
+    case Op::kIndex:
+      state = Choose(States(operands[1])[0], States(operands[0])[0], kUniform);
+      break;
     case Op::kSample:
     case Op::kSampleGrad:
-    case Op::kSampleLod: state = OfSample(v); break;
+    case Op::kSampleLod:
+      state = OfSample(v);
+      break;
     case Op::kConstruct:
-    case Op::kExtract: return VisitStructure(v);
-    case Op::kIf: return VisitIf(v, uniform_flow);
-    case Op::kFor: return VisitFor(v);
-    case Op::kCall: return VisitCall(v, uniform_flow);
+    case Op::kExtract:
+      return VisitStructure(v);
+    case Op::kIf:
+      return VisitIf(v, uniform_flow);
+    case Op::kFor:
+      return VisitFor(v);
+    case Op::kCall:
+      return VisitCall(v, uniform_flow);
     default: {
       state = JoinOperands(v);
       bool is_float = ir::IsFloat(inst.type);
@@ -233,7 +250,8 @@ const FunctionContinuity& ContinuityTable::Of(ir::FunctionId function,
                                               const std::vector<Continuity>& parameters,
                                               bool uniform_flow) {
   key_.clear();
-  for (int shift = 0; shift < 32; shift += 8) key_.push_back(static_cast<uint8_t>(function.index >> shift));
+  for (int shift = 0; shift < 32; shift += 8)
+    key_.push_back(static_cast<uint8_t>(function.index >> shift));
   key_.push_back(uniform_flow);
   for (Continuity state : parameters) key_.push_back(static_cast<uint8_t>(state));
   std::unique_ptr<FunctionContinuity>& known = known_[key_];

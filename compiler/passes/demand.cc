@@ -25,7 +25,8 @@ uint32_t NamedDerivatives(Op op) {
       std::string_view rule = ir::Info(static_cast<Op>(i)).derivative;
       for (char digit = '0'; digit < '4'; ++digit) {
         const char name[] = {'d', digit};
-        if (rule.find(std::string_view(name, 2)) != std::string_view::npos) named[i] |= 1u << (digit - '0');
+        if (rule.find(std::string_view(name, 2)) != std::string_view::npos)
+          named[i] |= 1u << (digit - '0');
       }
     }
     return named;
@@ -35,7 +36,8 @@ uint32_t NamedDerivatives(Op op) {
 
 }  // namespace
 
-SampleMode ModeOfSample(const ir::Function& function, const FunctionContinuity& continuity, ValueId sample) {
+SampleMode ModeOfSample(const ir::Function& function, const FunctionContinuity& continuity,
+                        ValueId sample) {
   ValueId coordinate = function.Operands(sample)[1];
   Continuity state = continuity.states[continuity.first[coordinate.index]];
   bool continuous = state == Continuity::kPlain || state == Continuity::kUniform;
@@ -79,9 +81,10 @@ class DemandScan {
   Demand& out_;
   std::vector<Item> work_;
   std::vector<bool> nothing_;
-  std::unordered_map<ValueId, std::pair<ValueId, uint32_t>> carried_;  // loop parameter: loop and index of the carried value
-  std::unordered_map<ValueId, uint32_t> first_leaf_;                   // function parameter: its first leaf
-  std::vector<std::vector<bool>> requests_;                            // by value, of calls that are asked for something
+  std::unordered_map<ValueId, std::pair<ValueId, uint32_t>>
+      carried_;  // loop parameter: loop and index of the carried value
+  std::unordered_map<ValueId, uint32_t> first_leaf_;  // function parameter: its first leaf
+  std::vector<std::vector<bool>> requests_;  // by value, of calls that are asked for something
 };
 
 void DemandScan::Index() {
@@ -193,9 +196,12 @@ void DemandScan::Visit(Item item) {
   const ir::Inst& inst = function_[item.value];
   std::span<const ValueId> operands = function_.Operands(inst);
   switch (inst.op) {
-    case Op::kParam: return VisitParameter(item);
-    case Op::kGlobal: return;
-    case Op::kConstruct: return VisitConstruct(item);
+    case Op::kParam:
+      return VisitParameter(item);
+    case Op::kGlobal:
+      return;
+    case Op::kConstruct:
+      return VisitConstruct(item);
     case Op::kExtract:
       return Want(operands[0], leaves_.Offset(function_[operands[0]].type, inst.aux) + item.leaf);
     case Op::kSelect:
@@ -203,13 +209,15 @@ void DemandScan::Visit(Item item) {
       return Want(operands[2], item.leaf);
     case Op::kSample:
     case Op::kSampleGrad:
-    case Op::kSampleLod: return Want(operands[1], 0);
+    case Op::kSampleLod:
+      return Want(operands[1], 0);
     case Op::kSmoothstep:
       for (ValueId operand : operands) Want(operand, 0);
       return;
     case Op::kSwizzle:
     case Op::kIndex:
-    case Op::kConvert: return Want(operands[0], 0);
+    case Op::kConvert:
+      return Want(operands[0], 0);
     case Op::kIf: {
       const ir::Branch& branch = function_.branches[inst.aux];
       Item on_true = Locate(function_.regions[branch.then_region.index].results, item.leaf);
@@ -234,7 +242,8 @@ void DemandScan::Visit(Item item) {
   }
 }
 
-const Demand& DemandTable::Of(const FunctionContinuity& continuity, const std::vector<bool>& requested) {
+const Demand& DemandTable::Of(const FunctionContinuity& continuity,
+                              const std::vector<bool>& requested) {
   std::vector<std::unique_ptr<Demand>>& all = known_[&continuity];
   for (const std::unique_ptr<Demand>& known : all) {
     if (known->requested == requested) return *known;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Differentiate: forward derivatives of coordinates, made only where a sample or a footprint asks for them (demand.h). Each
-// wanted value gets two companions, its change over one pixel in x and in y; they start as dFdx and dFdy of main's inputs and
-// follow the rules of ir/ops.def, through branches, loops and calls. A function whose samples need derivatives takes them as
-// further parameters; one whose results' derivatives are needed returns them as further results.
+// Differentiate: forward derivatives of coordinates, made only where a sample or a footprint asks
+// for them (demand.h). Each wanted value gets two companions, its change over one pixel in x and in
+// y; they start as dFdx and dFdy of main's inputs and follow the rules of ir/ops.def, through
+// branches, loops and calls. A function whose samples need derivatives takes them as further
+// parameters; one whose results' derivatives are needed returns them as further results.
 //
-// A coordinate that is moved by a sampled value: the derivative of a sample is the difference of two samples one pixel apart,
-// texture(s, c + dc/dx) - texture(s, c), filtered alike. It costs two samples, is right in branches and loops, and is what a
-// GPU's own differences would see.
+// A coordinate that is moved by a sampled value: the derivative of a sample is the difference of
+// two samples one pixel apart, texture(s, c + dc/dx) - texture(s, c), filtered alike. It costs two
+// samples, is right in branches and loops, and is what a GPU's own differences would see.
 #include <algorithm>
 #include <bit>
 #include <deque>
@@ -30,7 +31,8 @@ using ir::ValueId;
 
 class Differentiator {
  public:
-  Differentiator(ir::Module& module, bool fold) : module_(module), fold_(fold), leaves_(module.types) {}
+  Differentiator(ir::Module& module, bool fold)
+      : module_(module), fold_(fold), leaves_(module.types) {}
   std::vector<bool> Run();
   // The new function for this demand on an old one, made once for each distinct code.
   FunctionId Variant(const Demand& demand);
@@ -111,10 +113,13 @@ class DerivativeRebuilder : public ir::Rebuilder {
   void DeriveSelect(ValueId old);
   ValueId DeriveSmoothstep(ValueId old, int axis);
 
-  // The wanted leaves of all results of a branch or loop, behind the live results: (result, leaf) pairs.
-  std::vector<std::pair<uint32_t, uint32_t>> WantedResults(ValueId old, std::span<const ValueId> results);
+  // The wanted leaves of all results of a branch or loop, behind the live results: (result, leaf)
+  // pairs.
+  std::vector<std::pair<uint32_t, uint32_t>> WantedResults(ValueId old,
+                                                           std::span<const ValueId> results);
   void AppendChanges(std::span<const ValueId> results,
-                     std::span<const std::pair<uint32_t, uint32_t>> wanted, std::vector<ValueId>& out);
+                     std::span<const std::pair<uint32_t, uint32_t>> wanted,
+                     std::vector<ValueId>& out);
   std::vector<ValueId> TakeResults(ValueId old, ValueId merged, std::span<const uint32_t> kept,
                                    std::span<const ValueId> results,
                                    std::span<const std::pair<uint32_t, uint32_t>> wanted);
@@ -125,12 +130,14 @@ class DerivativeRebuilder : public ir::Rebuilder {
   const Demand& demand_;
   const FunctionContinuity& continuity_;
   std::vector<Change> changes_;  // by leaf of old values
-  // Those of the present region whose products are not made, by leaf; they are before a region is entered.
+  // Those of the present region whose products are not made, by leaf; they are before a region is
+  // entered.
   std::map<uint32_t, std::pair<ValueId, Slopes>> slopes_;
   std::vector<uint32_t> uses_;  // of old values, by sums and products whose changes are wanted
 };
 
-// --- Signature ---------------------------------------------------------------------------------------------------
+// --- Signature
+// ---------------------------------------------------------------------------------------------------
 
 void DerivativeRebuilder::DifferentiateInputs() {
   // All of them stand at the top, in uniform flow.
@@ -140,7 +147,8 @@ void DerivativeRebuilder::DifferentiateInputs() {
     if (inst.op != Op::kGlobal || !demand_.Wanted(old)) continue;
     ValueId input = to_.Global(ir::GlobalId(inst.aux));
     Set(old, input);
-    ChangeOf(old) = {to_.Emit(Op::kDfdx, inst.type, {input}), to_.Emit(Op::kDfdy, inst.type, {input})};
+    ChangeOf(old) = {to_.Emit(Op::kDfdx, inst.type, {input}),
+                     to_.Emit(Op::kDfdy, inst.type, {input})};
     const std::string& name = module_.globals[inst.aux].name;
     to_.Name(ChangeOf(old).dx, name + "_dx");
     to_.Name(ChangeOf(old).dy, name + "_dy");
@@ -171,7 +179,8 @@ void DerivativeRebuilder::Return() {
     for (uint32_t l = 0; l < LeafCount(result); ++l, ++leaf) {
       if (!demand_.requested[leaf]) continue;
       const Leaf& info = LeafOf(result, l);
-      std::string name = (from_.results[r].name.empty() ? "result" : from_.results[r].name) + info.suffix;
+      std::string name =
+          (from_.results[r].name.empty() ? "result" : from_.results[r].name) + info.suffix;
       for (int axis : {0, 1}) {
         values.push_back(OrZero(ChangeOf(result, l)[axis], info.type));
         function.results.push_back({name + (axis ? "_dy" : "_dx"), info.type});
@@ -190,7 +199,8 @@ void DerivativeRebuilder::Run() {
   Return();
 }
 
-// --- Values ------------------------------------------------------------------------------------------------------
+// --- Values
+// ------------------------------------------------------------------------------------------------------
 
 ValueId DerivativeRebuilder::Copy(ValueId old) {
   const ir::Inst& inst = from_[old];
@@ -258,8 +268,8 @@ void DerivativeRebuilder::DeriveSample(ValueId old, ValueId now) {
       // With the very gradients of the sample itself, where it has some.
       const ir::Inst written = to_[now];
       std::span<const ValueId> used = to_.function().Operands(written);
-      ValueId dx = written.op == Op::kSampleGrad ? used[2]
-                                                 : Gradient(change.dx, type, to_.TypeOf(sampler));
+      ValueId dx =
+          written.op == Op::kSampleGrad ? used[2] : Gradient(change.dx, type, to_.TypeOf(sampler));
       ValueId dy = written.op == Op::kSampleGrad ? to_.function().Operands(written)[3]
                                                  : Gradient(change.dy, type, to_.TypeOf(sampler));
       neighbour = to_.Emit(Op::kSampleGrad, inst.type, {sampler, beside, dx, dy});
@@ -274,15 +284,19 @@ void DerivativeRebuilder::Derive(ValueId old, ValueId now) {
     case Op::kExtract:
     case Op::kSwizzle:
     case Op::kIndex:
-    case Op::kConvert: return DeriveStructure(old);
-    case Op::kSelect: return DeriveSelect(old);
+    case Op::kConvert:
+      return DeriveStructure(old);
+    case Op::kSelect:
+      return DeriveSelect(old);
     case Op::kSample:
     case Op::kSampleGrad:
-    case Op::kSampleLod: return DeriveSample(old, now);
+    case Op::kSampleLod:
+      return DeriveSample(old, now);
     case Op::kSmoothstep:
       for (int axis : {0, 1}) ChangeOf(old)[axis] = DeriveSmoothstep(old, axis);
       return;
-    default: return DeriveByRule(old, now);
+    default:
+      return DeriveByRule(old, now);
   }
 }
 
@@ -309,10 +323,12 @@ Slopes DerivativeRebuilder::SlopesOf(ValueId old) {
 
 bool DerivativeRebuilder::DeriveBySlopes(ValueId old, ValueId now) {
   const ir::Inst& inst = from_[old];
-  if (!IsPolynomial(inst.op) || module_.types.Kind(inst.type) == ir::TypeKind::kMatrix) return false;
+  if (!IsPolynomial(inst.op) || module_.types.Kind(inst.type) == ir::TypeKind::kMatrix)
+    return false;
   std::vector<Slopes> operands;
   for (ValueId operand : from_.Operands(inst)) operands.push_back(SlopesOf(operand));
-  std::optional<Slopes> slopes = DeriveSlopes(to_, inst.op, GetAll(from_.Operands(inst)), operands, now);
+  std::optional<Slopes> slopes =
+      DeriveSlopes(to_, inst.op, GetAll(from_.Operands(inst)), operands, now);
   if (!slopes) return false;
   if (slopes->terms.empty()) return true;
   const uint32_t index = continuity_.first[old.index];
@@ -330,7 +346,8 @@ bool DerivativeRebuilder::DeriveBySlopes(ValueId old, ValueId now) {
 
 void DerivativeRebuilder::NameSlope(ValueId old, ValueId slope) {
   const Op op = to_[slope].op;
-  const bool made_here = op != Op::kConst && op != Op::kParam && op != Op::kGlobal && !to_.function().NameOf(slope);
+  const bool made_here =
+      op != Op::kConst && op != Op::kParam && op != Op::kGlobal && !to_.function().NameOf(slope);
   if (ir::NameId name = from_.NameOf(old); name && made_here) {
     to_.Name(slope, std::string(module_.Name(name)) + "_slope");
   }
@@ -368,11 +385,13 @@ void DerivativeRebuilder::DeriveSelect(ValueId old) {
   }
 }
 
-// t = clamp((x - a) / (b - a), 0, 1); r = t t (3 - 2 t); dr = 6 t (1 - t) (dx - da - t (db - da)) / (b - a).
+// t = clamp((x - a) / (b - a), 0, 1); r = t t (3 - 2 t); dr = 6 t (1 - t) (dx - da - t (db - da)) /
+// (b - a).
 ValueId DerivativeRebuilder::DeriveSmoothstep(ValueId old, int axis) {
   std::span<const ValueId> operands = from_.Operands(old);
   ValueId a = Get(operands[0]), b = Get(operands[1]), x = Get(operands[2]);
-  ValueId da = ChangeOf(operands[0])[axis], db = ChangeOf(operands[1])[axis], dx = ChangeOf(operands[2])[axis];
+  ValueId da = ChangeOf(operands[0])[axis], db = ChangeOf(operands[1])[axis],
+          dx = ChangeOf(operands[2])[axis];
   if (!da && !db && !dx) return ValueId();
   ir::TypeId type = to_.TypeOf(x);
   ValueId zero = to_.Zero(type), one = to_.Splat(type, 1);
@@ -384,7 +403,8 @@ ValueId DerivativeRebuilder::DeriveSmoothstep(ValueId old, int axis) {
     ValueId widening = to_.Op2(Op::kSub, OrZero(db, type), OrZero(da, type));
     top = to_.Op2(Op::kSub, top, to_.Op2(Op::kMul, t, widening));
   }
-  ValueId slope = to_.Op2(Op::kMul, to_.Splat(type, 6), to_.Op2(Op::kMul, t, to_.Op2(Op::kSub, one, t)));
+  ValueId slope =
+      to_.Op2(Op::kMul, to_.Splat(type, 6), to_.Op2(Op::kMul, t, to_.Op2(Op::kSub, one, t)));
   ValueId quotient = to_.Op2(Op::kDiv, to_.Op2(Op::kMul, slope, top), width);
   return to_.Op3(Op::kSelect, to_.Op2(Op::kNe, width, zero), quotient, zero);
 }
@@ -392,10 +412,11 @@ ValueId DerivativeRebuilder::DeriveSmoothstep(ValueId old, int axis) {
 void DerivativeRebuilder::DeriveStructure(ValueId old) {
   const ir::Inst& inst = from_[old];
   std::span<const ValueId> operands = from_.Operands(inst);
-  if (inst.op == Op::kConstruct && LeafCount(old) > 1) {
+  if (inst.op == Op::kConstruct && module_.types.Kind(inst.type) == ir::TypeKind::kStruct) {
     uint32_t leaf = 0;
     for (ValueId operand : operands) {
-      for (uint32_t l = 0; l < LeafCount(operand); ++l) ChangeOf(old, leaf++) = ChangeOf(operand, l);
+      for (uint32_t l = 0; l < LeafCount(operand); ++l)
+        ChangeOf(old, leaf++) = ChangeOf(operand, l);
     }
     return;
   }
@@ -403,14 +424,16 @@ void DerivativeRebuilder::DeriveStructure(ValueId old) {
   bool takes_leaves = from_kind == ir::TypeKind::kStruct || from_kind == ir::TypeKind::kTuple;
   if (inst.op == Op::kExtract && takes_leaves) {
     uint32_t offset = pass_.leaves().Offset(from_[operands[0]].type, inst.aux);
-    for (uint32_t l = 0; l < LeafCount(old); ++l) ChangeOf(old, l) = ChangeOf(operands[0], offset + l);
+    for (uint32_t l = 0; l < LeafCount(old); ++l)
+      ChangeOf(old, l) = ChangeOf(operands[0], offset + l);
     return;
   }
   for (int axis : {0, 1}) {
     std::vector<ValueId> parts;
     bool any = false;
     for (ValueId operand : operands) {
-      ValueId change = inst.op == Op::kIndex && parts.size() == 1 ? Get(operand) : ChangeOf(operand)[axis];
+      ValueId change =
+          inst.op == Op::kIndex && parts.size() == 1 ? Get(operand) : ChangeOf(operand)[axis];
       any = any || (change && !(inst.op == Op::kIndex && parts.size() == 1));
       parts.push_back(OrZero(change, from_[operand].type));
     }
@@ -419,7 +442,8 @@ void DerivativeRebuilder::DeriveStructure(ValueId old) {
   }
 }
 
-// --- Calls, branches, loops --------------------------------------------------------------------------------------
+// --- Calls, branches, loops
+// --------------------------------------------------------------------------------------
 
 void DerivativeRebuilder::CopyCall(ValueId old, std::span<ValueId> results) {
   const Demand& callee = *demand_.calls[old.index];
@@ -562,9 +586,11 @@ std::vector<ValueId> DerivativeRebuilder::CopyFor(ValueId old) {
   return TakeResults(old, merged, kept, carried, wanted);
 }
 
-// --- Differentiator ----------------------------------------------------------------------------------------------
+// --- Differentiator
+// ----------------------------------------------------------------------------------------------
 
-// What the code of a variant depends on: which derivatives it makes, how it samples, and the variants that it calls.
+// What the code of a variant depends on: which derivatives it makes, how it samples, and the
+// variants that it calls.
 std::vector<uint32_t> Differentiator::CodeKey(const Demand& demand) {
   const FunctionContinuity& continuity = *demand.continuity;
   const ir::Function& function = old(continuity.function);
@@ -585,9 +611,12 @@ std::vector<uint32_t> Differentiator::CodeKey(const Demand& demand) {
   return key;
 }
 
-// Whether the demand asks for no derivative anywhere in the function, and every sample stays implicit.
+// Whether the demand asks for no derivative anywhere in the function, and every sample stays
+// implicit.
 bool Differentiator::StaysAsItIs(const Demand& demand) const {
-  auto none = [](const std::vector<bool>& flags) { return std::ranges::find(flags, true) == flags.end(); };
+  auto none = [](const std::vector<bool>& flags) {
+    return std::ranges::find(flags, true) == flags.end();
+  };
   if (!none(demand.wanted) || !none(demand.parameters) || !none(demand.requested)) return false;
   for (const Demand* callee : demand.calls) {
     if (callee && (!none(callee->parameters) || !none(callee->requested))) return false;
@@ -596,7 +625,8 @@ bool Differentiator::StaysAsItIs(const Demand& demand) const {
   for (size_t i = 0; i < function.insts.size(); ++i) {
     const Op op = function.insts[i].op;
     if (op == Op::kDx || op == Op::kDy) return false;
-    if (op == Op::kSample && ModeOfSample(function, *demand.continuity, ValueId(i)) != SampleMode::kImplicit) {
+    if (op == Op::kSample &&
+        ModeOfSample(function, *demand.continuity, ValueId(i)) != SampleMode::kImplicit) {
       return false;
     }
   }
@@ -651,6 +681,8 @@ std::vector<bool> Differentiator::Run() {
 
 }  // namespace
 
-std::vector<bool> Differentiate(ir::Module& module, bool fold) { return Differentiator(module, fold).Run(); }
+std::vector<bool> Differentiate(ir::Module& module, bool fold) {
+  return Differentiator(module, fold).Run();
+}
 
 }  // namespace texgraph::passes

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "compiler/ir/rebuild.h"
+#include "compiler/passes/narrow_structs.h"
 #include "compiler/passes/passes.h"
 
 namespace texgraph::passes {
@@ -39,6 +40,7 @@ struct Binding {
   Kind kind = Kind::kNone;
   uint32_t id = 0;        // ConstId, or FunctionId among the old functions
   uint32_t captures = 0;  // kField: how many parameters stand in its place
+  ConstId home;           // kField that knows its home: that, if it is constant; no parameter then
 };
 
 struct FieldBinding {
@@ -219,7 +221,9 @@ void InstanceRebuilder::BindParameters(std::span<const Binding> bindings) {
       FieldBinding bound{FunctionId(binding.id), {}};
       size_t first = field.parameters.size() - binding.captures;
       for (size_t c = 0; c < binding.captures; ++c) {
-        bound.captured.push_back(to_.AddParameter(field.parameters[first + c]));
+        bool is_home = binding.home && c + 2 == binding.captures;
+        bound.captured.push_back(is_home ? to_.Const(binding.home)
+                                         : to_.AddParameter(field.parameters[first + c]));
       }
       fields_.emplace(param, std::move(bound));
     }
@@ -235,6 +239,12 @@ ValueId InstanceRebuilder::Copy(ValueId old) {
   }
   if (inst.op == Op::kCallField) {
     const FieldBinding field = fields_.at(operands[0]);
+    const ir::Function& function = specializer_.old(field.function);
+    const ir::Inst& result_inst = function[function.Body().results[0]];
+    if (result_inst.op == Op::kConst) return to_.Const(ConstId(result_inst.aux));
+    if (function.knows_home && Get(operands[1]) == field.captured.end()[-2]) {
+      return field.captured.back();
+    }
     ValueId result;
     CallInstance(old, field.function, operands.subspan(1), field.captured, {&result, 1});
     return result;
@@ -263,7 +273,7 @@ void InstanceRebuilder::CallInstance(ValueId old, FunctionId callee,
     size_t parameter = bindings_.size();
     if (all_constant || (to_.IsConst(argument) &&
                          specializer_.Binds(callee, parameter, ConstId(to_[argument].aux)))) {
-      bindings_.push_back({Binding::Kind::kConst, to_[argument].aux, 0});
+      bindings_.push_back({Binding::Kind::kConst, to_[argument].aux, 0, ConstId()});
     } else {
       bindings_.push_back({});
       arguments_.push_back(argument);
@@ -276,9 +286,18 @@ void InstanceRebuilder::CallInstance(ValueId old, FunctionId callee,
       continue;
     }
     const FieldBinding& bound = field->second;
-    bindings_.push_back({Binding::Kind::kField, bound.function.index,
-                         static_cast<uint32_t>(bound.captured.size())});
-    arguments_.insert(arguments_.end(), bound.captured.begin(), bound.captured.end());
+    Binding binding{Binding::Kind::kField, bound.function.index,
+                    static_cast<uint32_t>(bound.captured.size()), ConstId()};
+    for (size_t c = 0; c < bound.captured.size(); ++c) {
+      const ir::Inst& value = to_[bound.captured[c]];
+      if (specializer_.old(bound.function).knows_home && c + 2 == bound.captured.size() &&
+          value.op == Op::kConst) {
+        binding.home = ConstId(value.aux);
+      } else {
+        arguments_.push_back(bound.captured[c]);
+      }
+    }
+    bindings_.push_back(binding);
   }
   for (ValueId argument : captured) pass(argument);
 
@@ -322,7 +341,8 @@ bool Specializer::Binds(FunctionId callee, size_t parameter, ConstId value) cons
   if (sites_[callee.index] == 1 || deciding_[callee.index][parameter]) return true;
   ir::TypeId type = module_.constant(value).type;
   if (ir::IsBool(type)) return true;
-  if (!ir::IsFloat(type)) return false;
+  // A cell that is no other than this one makes fields plain values.
+  if (!ir::IsFloat(type) && type != ir::kIvec2) return false;
   // All zeros or all ones: terms vanish.
   std::span<const uint32_t> words = module_.Words(value);
   uint32_t first = words[0] & 0x7fffffffu;
@@ -352,6 +372,7 @@ Specializer::Callee Specializer::Instance(FunctionId id, std::span<const Binding
   for (const Binding& binding : bindings) {
     key_.push_back(static_cast<uint32_t>(binding.kind));
     key_.push_back(binding.id);
+    key_.push_back(binding.home.index);
   }
   if (auto known = instances_.find(key_); known != instances_.end()) {
     return {known->second, made_[known->second.index].is_small};
@@ -482,6 +503,8 @@ bool Specializer::Run() {
 }  // namespace
 
 bool Specialize(ir::Module& module, bool fold, SourceRange where, Diagnostics& diagnostics) {
+  std::vector<bool> changed(module.functions.size());
+  if (fold) NarrowStructs(module, changed);
   return Specializer(module, fold, where, diagnostics).Run();
 }
 

@@ -28,9 +28,13 @@ void basket_weave_grid(vec2 uv, int rows, int columns, int bricks, int seed, con
   float parts = float(bricks);
   vec2 inner = p - corner;
   tile.size = vec2(1.0 / cells.x, 1.0 / (cells.y * parts));
+  tile.right = vec2(1.0, 0.0);
+  tile.up = vec2(0.0, 1.0);
   if (((block.x + block.y) & 1) == 1) {
     inner = vec2(inner.y, 1.0 - inner.x);
     tile.size = vec2(1.0 / cells.y, 1.0 / (cells.x * parts));
+    tile.right = vec2(0.0, 1.0);
+    tile.up = vec2(-1.0, 0.0);
   }
   float across = inner.y * parts;
   // At the very border, rounding can reach the number after the last.
@@ -38,6 +42,10 @@ void basket_weave_grid(vec2 uv, int rows, int columns, int bricks, int seed, con
   tile.local = vec2(inner.x, across - number);
   tile.cell = ivec2(block.x * bricks + int(number), block.y);
   tile.seed = hash(tile.cell, uint(seed));
+  tile.pitch = vec2(0.0);
+  tile.largest = vec2(0.0);
+  tile.drift = vec2(0.0);
+  tile.tilt = vec2(0.0);
   edge = max(tile_distance(tile), 0.0);
   spacing = 4.0 / ((parts + 1.0) * (cells.x + cells.y));
 }

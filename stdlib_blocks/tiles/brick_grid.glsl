@@ -16,18 +16,20 @@
 /// @param toroidal whether the bricks repeat with each unit of the coordinate, for a texture
 ///   without a border; with an odd number of rows the last and the first are not offset from each
 ///   other @default false
+/// @param neighbour the brick that many columns and rows further is given, instead of the one that
+///   the point is in; `layer` asks for it @default neighbour
 /// @param tile the brick
 void brick_grid(vec2 uv, int rows, int columns, float row_offset, float row_jitter, int seed,
-                const bool toroidal, out Tile tile) {
+                const bool toroidal, ivec2 neighbour, out Tile tile) {
   vec2 cells = vec2(columns, rows);
   vec2 p = uv * cells;
-  int row = int(floor(p.y));
+  int row = int(floor(p.y)) + neighbour.y;
   if (toroidal) {
     row = wrap_cell(row, rows);
   }
   uint row_bits = hash(uint(row) + hash(uint(seed)));
   p.x += row_offset * float(row & 1) + row_jitter * random(row_bits, -1);
-  vec2 corner = floor(p);
+  vec2 corner = floor(p) + vec2(neighbour);
   int column = int(corner.x);
   if (toroidal) {
     column = wrap_cell(column, columns);
@@ -36,4 +38,10 @@ void brick_grid(vec2 uv, int rows, int columns, float row_offset, float row_jitt
   tile.local = p - corner;
   tile.size = 1.0 / cells;
   tile.seed = hash(uint(column) + row_bits);
+  tile.right = vec2(1.0, 0.0);
+  tile.up = vec2(0.0, 1.0);
+  tile.pitch = tile.size;
+  tile.largest = tile.size;
+  tile.drift = vec2(0.0);
+  tile.tilt = vec2(1.0, 0.0);
 }

@@ -40,6 +40,12 @@ void flemish_grid(vec2 uv, int rows, int columns, float header, int seed, const 
   tile.local = vec2((inner - first) / share, p.y - bottom);
   tile.size = vec2(share, 1.0) / cells;
   tile.seed = hash(tile.cell, uint(seed));
+  tile.right = vec2(1.0, 0.0);
+  tile.up = vec2(0.0, 1.0);
+  tile.pitch = vec2(0.0);
+  tile.largest = vec2(0.0);
+  tile.drift = vec2(0.0);
+  tile.tilt = vec2(0.0);
   edge = max(tile_distance(tile), 0.0);
   spacing = 2.0 / (2.0 * cells.x + cells.y);
 }

@@ -33,17 +33,25 @@ void herringbone_grid(vec2 uv, int rows, int columns, int ratio, int seed, const
     cell.x -= phase;
     tile.local = vec2((float(phase) + inner.x) / parts, inner.y);
     tile.size = vec2(parts / cells.x, 1.0 / cells.y);
+    tile.right = vec2(1.0, 0.0);
+    tile.up = vec2(0.0, 1.0);
   } else {
     int step_up = 2 * ratio - 1 - phase;
     cell.y -= step_up;
     tile.local = vec2((float(step_up) + inner.y) / parts, 1.0 - inner.x);
     tile.size = vec2(parts / cells.y, 1.0 / cells.x);
+    tile.right = vec2(0.0, 1.0);
+    tile.up = vec2(-1.0, 0.0);
   }
   if (toroidal) {
     cell = wrap_cell(cell, count);
   }
   tile.cell = cell;
   tile.seed = hash(cell, uint(seed));
+  tile.pitch = vec2(0.0);
+  tile.largest = vec2(0.0);
+  tile.drift = vec2(0.0);
+  tile.tilt = vec2(0.0);
   edge = max(tile_distance(tile), 0.0);
   spacing = 4.0 * parts / ((parts + 1.0) * (cells.x + cells.y));
 }

@@ -10,11 +10,13 @@
 /// @param seed another seed gives other random bits @default 0
 /// @param toroidal whether the hexagons repeat with each unit of the coordinate, for a texture
 ///   without a border; an odd number of rows becomes the next even one then @default false
+/// @param neighbour the hexagon that many columns and rows further is given, instead of the one that
+///   the point is in; `layer` asks for it @default neighbour
 /// @param tile the hexagon
 /// @param edge distance to the border of the hexagon, in texture space
 /// @param spacing how far joints are from each other, for `joint`
-void hexagon_grid(vec2 uv, int rows, int columns, int seed, const bool toroidal, out Tile tile,
-                  out float edge, out float spacing) {
+void hexagon_grid(vec2 uv, int rows, int columns, int seed, const bool toroidal, ivec2 neighbour,
+                  out Tile tile, out float edge, out float spacing) {
   int row_count = toroidal ? rows + (rows & 1) : rows;
   vec2 cells = vec2(columns, row_count);
   vec2 p = uv * cells;
@@ -31,6 +33,12 @@ void hexagon_grid(vec2 uv, int rows, int columns, int seed, const bool toroidal,
     column = floor(x);
     offset = vec2(x - column - 0.5, p.y - middle - 1.0);
   }
+  if (neighbour.x != 0 || neighbour.y != 0) {
+    row += neighbour.y;
+    x = p.x + 0.5 * float(row & 1);
+    column = floor(x) + float(neighbour.x);
+    offset = vec2(x - column - 0.5, p.y - float(row) - 0.5);
+  }
   tile.cell = ivec2(int(column), row);
   if (toroidal) {
     tile.cell = wrap_cell(tile.cell, ivec2(columns, row_count));
@@ -38,6 +46,13 @@ void hexagon_grid(vec2 uv, int rows, int columns, int seed, const bool toroidal,
   tile.local = offset * vec2(1.0, 0.75) + 0.5;
   tile.size = vec2(1.0, 4.0 / 3.0) / cells;
   tile.seed = hash(tile.cell, uint(seed));
+  tile.right = vec2(1.0, 0.0);
+  tile.up = vec2(0.0, 1.0);
+  tile.pitch = 1.0 / cells;
+  tile.largest = tile.size;
+  // The hexagon itself is a third higher than the rows are apart.
+  tile.drift = vec2(0.0, 1.0 / 6.0) / cells;
+  tile.tilt = vec2(1.0, 0.0);
   float slanted = 1.0 - abs(offset.x) - 1.5 * abs(offset.y);
   edge = max(min((0.5 - abs(offset.x)) / cells.x, slanted / length(cells * vec2(1.0, 1.5))), 0.0);
   float perimeter = 4.0 / (3.0 * cells.y) + 4.0 * length(vec2(0.5, 1.0 / 3.0) / cells);

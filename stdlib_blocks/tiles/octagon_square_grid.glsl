@@ -34,14 +34,22 @@ void octagon_square_grid(vec2 uv, int rows, int columns, float corner, int seed,
   }
   tile.cell = ivec2(2 * cell.x + (is_square ? 1 : 0), cell.y);
   tile.seed = hash(tile.cell, uint(seed));
+  tile.pitch = vec2(0.0);
+  tile.largest = vec2(0.0);
+  tile.drift = vec2(0.0);
+  tile.tilt = vec2(0.0);
   if (is_square) {
     tile.local =
         vec2(from_corner.x + from_corner.y, from_corner.y - from_corner.x) / (2.0 * corner) + 0.5;
     tile.size = vec2(side);
+    tile.right = normalize(1.0 / cells);
+    tile.up = tile.right * vec2(-1.0, 1.0);
     edge = slanted;
   } else {
     tile.local = p - base;
     tile.size = 1.0 / cells;
+    tile.right = vec2(1.0, 0.0);
+    tile.up = vec2(0.0, 1.0);
     edge = min(slanted, min(away.x / cells.x, away.y / cells.y));
   }
   float straight = (2.0 - 4.0 * corner) * (1.0 / cells.x + 1.0 / cells.y);

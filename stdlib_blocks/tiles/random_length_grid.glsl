@@ -68,6 +68,12 @@ void random_length_grid(vec2 uv, int rows, int columns, float length_variation,
   tile.local = clamp((p - low) / (high - low), 0.0, 1.0);
   tile.size = (high - low) / cells;
   tile.seed = hash(uint(column) + row_bits);
+  tile.right = vec2(1.0, 0.0);
+  tile.up = vec2(0.0, 1.0);
+  tile.pitch = vec2(0.0);
+  tile.largest = vec2(0.0);
+  tile.drift = vec2(0.0);
+  tile.tilt = vec2(0.0);
   edge = tile_distance(tile);
   spacing = 2.0 / (cells.x + cells.y);
 }

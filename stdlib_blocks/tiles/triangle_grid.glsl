@@ -41,6 +41,13 @@ void triangle_grid(vec2 uv, int rows, int columns, int seed, const bool toroidal
   tile.local = vec2(x + 0.5 * y, y);
   tile.size = 1.0 / cells;
   tile.seed = hash(tile.cell, uint(seed));
+  float way = points_down == 1 ? -1.0 : 1.0;
+  tile.right = vec2(way, 0.0);
+  tile.up = vec2(0.0, way);
+  tile.pitch = vec2(0.0);
+  tile.largest = vec2(0.0);
+  tile.drift = vec2(0.0);
+  tile.tilt = vec2(0.0);
   float slanted = min(x, 1.0 - x - y) / length(cells * vec2(1.0, 0.5));
   edge = max(min(y / cells.y, slanted), 0.0);
   float perimeter = 1.0 / cells.x + 2.0 * length(vec2(0.5, 1.0) / cells);

@@ -8,16 +8,18 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/blocks/layer_reference.h"
 #include "tests/blocks/reference.h"
 #include "tests/blocks/run_block.h"
 
 namespace texgraph::blocks {
 namespace {
 
-using reference::High16;
-using reference::Low16;
-using reference::Mix;
+using reference::Frame;
+using reference::InFrame;
+using reference::Limits;
 using reference::Pcg;
+using reference::PlaceIn;
 
 // What the graphs below give for a layer: the image is a function that paints its own coordinate,
 // so the colour shows where in the image a point lies.
@@ -29,7 +31,7 @@ struct Seen {
 };
 
 // A graph with one layer, or a parent and a child ("child" not empty); the output is that of the
-// last.
+// last. Each tile shows its own element alone; for the others see overlap_test.cc.
 std::string GraphOf(const std::string& grid, const std::string& parent, const std::string& child,
                     const std::string& inner = "inner") {
   std::string last = child.empty() ? "parent" : "child";
@@ -39,11 +41,11 @@ std::string GraphOf(const std::string& grid, const std::string& parent, const st
         "c": {"block": "combine4", "in": {"x": "p.x", "y": "p.y"}}}, "outputs": {"color": "c"}}},
     "nodes": {"grid": {"block": "brick_grid", "in": )" +
                      grid + R"(},
-      "parent": {"block": "layer", "in": {"tile": "grid", "image": "where")" +
+      "parent": {"block": "layer", "in": {"tile": "grid", "image": "where", "neighbours": 0)" +
                      parent + "}}";
   if (!child.empty()) {
     text += R"(, "child": {"block": "layer", "in": {"tile": "parent.)" + inner +
-            R"(", "image": "where")" + child + "}}";
+            R"(", "image": "where", "neighbours": 0)" + child + "}}";
   }
   text += R"(, "parts": {"block": "tile_parts", "in": {"tile": ")" + last + R"(.inner"}},
       "local": {"block": "components", "in": {"vector": "parts.local"}},
@@ -81,49 +83,6 @@ std::vector<Point> Scatter(int count) {
         {std::fmod(0.1234 + 0.7548776662 * i, 1), std::fmod(0.5678 + 0.5698402910 * i, 1)});
   }
   return points;
-}
-
-// The reference: a frame with its image's axes in texture space.
-struct Frame {
-  Point origin;  // of the frame's middle
-  double angle = 0;
-  Point size;
-  uint32_t seed = 0;
-};
-
-struct Limits {
-  Point position_min{0.5, 0.5}, position_max{0.5, 0.5};
-  double scale_min = 1, scale_max = 1, rotation_min = 0, rotation_max = 0;
-  bool contain = false;
-  uint32_t stream = 0;
-  double stretch_min = 1, stretch_max = 1;
-};
-
-// The middle of the element in texture space, from its parent's frame: position, scale and rotation
-// are drawn from the parent's seed.
-Frame PlaceIn(const Frame& parent, const Limits& limits) {
-  uint32_t seed = Pcg(parent.seed + limits.stream);
-  uint32_t place = Pcg(seed - 1), turn = Pcg(seed - 2);
-  double px = Mix(limits.position_min.x, limits.position_max.x, Low16(place)) - 0.5;
-  double py = Mix(limits.position_min.y, limits.position_max.y, High16(place)) - 0.5;
-  double dx = px * parent.size.x, dy = py * parent.size.y;
-  double c = std::cos(parent.angle), s = std::sin(parent.angle);
-  double scale = Mix(limits.scale_min, limits.scale_max, Low16(turn));
-  double angle =
-      Mix(limits.rotation_min, limits.rotation_max, High16(turn)) * std::numbers::pi / 180;
-  double side = std::fmin(parent.size.x, parent.size.y);
-  Point shape = limits.contain ? Point{side, side} : parent.size;
-  return {{parent.origin.x + c * dx - s * dy, parent.origin.y + s * dx + c * dy},
-          parent.angle + angle,
-          {scale * shape.x,
-           scale * shape.y * Mix(limits.stretch_min, limits.stretch_max, Low16(Pcg(seed - 4)))},
-          seed};
-}
-
-Point InFrame(const Frame& frame, Point p) {
-  double dx = p.x - frame.origin.x, dy = p.y - frame.origin.y;
-  double c = std::cos(frame.angle), s = std::sin(frame.angle);
-  return {(c * dx + s * dy) / frame.size.x + 0.5, (c * dy - s * dx) / frame.size.y + 0.5};
 }
 
 constexpr int kRows = 6, kColumns = 3;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <optional>
 
+#include "compiler/base/builtin_input.h"
 #include "compiler/base/diagnostics.h"
 #include "compiler/base/source.h"
 #include "compiler/blocks/block.h"
@@ -60,12 +61,25 @@ const Argument* FindArgument(const std::vector<Argument>& arguments, const std::
   return nullptr;
 }
 
+// The input of a graph that is zero unless a block asks for another.
+bool IsZeroByDefault(const Port& port) {
+  return std::ranges::any_of(kBuiltinInputs, [&](const BuiltinInput& input) {
+    return input.kind == BuiltinKind::kZero && input.name == port.default_input;
+  });
+}
+
+std::vector<uint32_t> DefaultWords(const ir::Module& module, const Port& port) {
+  if (IsZeroByDefault(port)) return std::vector<uint32_t>(module.types.Words(port.type));
+  std::span<const uint32_t> words = module.Words(port.default_value);
+  return {words.begin(), words.end()};
+}
+
 bool Fits(const Overload& overload, const std::vector<Argument>& arguments) {
   size_t used = 0;
   for (const Port& port : overload.inputs) {
     const Argument* argument = FindArgument(arguments, port.name);
     if (argument == nullptr) {
-      if (!port.default_value.valid()) {
+      if (!port.default_value.valid() && !IsZeroByDefault(port)) {
         return false;
       }
       continue;
@@ -177,8 +191,7 @@ std::map<std::string, Values> RunBlock(std::string_view name,
     } else if (argument != nullptr) {
       columns.push_back(Spread(argument->values, lanes));
     } else {
-      std::span<const uint32_t> words = module.Words(port.default_value);
-      columns.push_back(Spread({port.type, 1, {words.begin(), words.end()}}, lanes));
+      columns.push_back(Spread({port.type, 1, DefaultWords(module, port)}, lanes));
     }
   }
   ir::FunctionId function = library.Function(*block, *overload, template_values);

@@ -157,18 +157,20 @@ bool BlockCatalog::WithinLimits(const Port& port, const graph::Argument& literal
 std::vector<float> BlockCatalog::Known(const Port& port,
                                        std::span<const PortArgument> arguments) const {
   std::vector<float> known;
+  const bool is_field = port.kind == blocks::PortKind::kField;
+  const ir::TypeId type = is_field ? types()[port.type].elements[0] : port.type;
   auto argument = std::ranges::find(arguments, port.name, &PortArgument::port);
   if (argument == arguments.end()) {
     if (!port.default_value.valid()) return known;
     for (uint32_t word : Words(port.default_value)) {
-      known.push_back(ir::IsFloat(port.type) ? std::bit_cast<float>(word)
-                                             : static_cast<float>(static_cast<int32_t>(word)));
+      known.push_back(ir::IsFloat(type) ? std::bit_cast<float>(word)
+                                        : static_cast<float>(static_cast<int32_t>(word)));
     }
     return known;
   }
   if (argument->thing && argument->thing->kind != Thing::Kind::kConstant) return known;
   const graph::Argument& literal = argument->thing ? argument->thing->literal : argument->literal;
-  const size_t width = ir::Width(port.type);
+  const size_t width = ir::Width(type);
   for (size_t i = 0; i < width; ++i) {
     known.push_back(static_cast<float>(literal.numbers[literal.numbers.size() == width ? i : 0]));
   }

@@ -47,10 +47,18 @@ void CompileText(const std::string& text, graph::DocumentFormat format, const st
 std::string ReachedLimit(const Diagnostics& diagnostics) {
   std::string limit;
   for (const Diagnostic& diagnostic : diagnostics.all()) {
+    if (diagnostic.severity == Severity::kWarning) continue;
     if (DiagnosticExit(diagnostic.kind) != ExitCode::kLimit) return "";
     limit = DiagnosticName(diagnostic.kind);
   }
   return limit;
+}
+
+// What a layer cannot know when the shader is made it may warn of.
+bool OnlyUnknownValues(const Diagnostics& diagnostics) {
+  return std::ranges::all_of(diagnostics.all(), [](const Diagnostic& diagnostic) {
+    return diagnostic.kind == DiagnosticKind::kNotComputed;
+  });
 }
 
 // Strings of the graph's author are not in the shader.
@@ -94,7 +102,7 @@ std::string CheckTargets(const std::string& text, graph::DocumentFormat format,
     CompileText(text, format, path, options, attempt);
     const std::string form = fmt::format("target {}, {}: ", static_cast<int>(target),
                                          emit == Emit::kShader ? "shader" : "function");
-    if (!attempt.compiled || !attempt.diagnostics.all().empty()) {
+    if (!attempt.compiled || !OnlyUnknownValues(attempt.diagnostics)) {
       report.limit = ReachedLimit(attempt.diagnostics);
       if (!report.limit.empty()) return "";
       return form + "refused\n" + attempt.Messages();

@@ -15,7 +15,6 @@ uniform sampler2D moss;
 
 // Types
 struct brick_wall_Tile {
-  ivec2 cell;
   vec2 local;
   vec2 size;
   uint seed;
@@ -46,8 +45,7 @@ void brick_wall_brick_grid(vec2 uv, vec2 uv_dx, vec2 uv_dy, out brick_wall_Tile 
   vec2 corner = floor(p);
   int column = int(corner.x);
   column = brick_wall_wrap_cell(column, 5);
-  tile = brick_wall_Tile(ivec2(column, row), p - corner, vec2(0.2, 0.1),
-      brick_wall_hash(uint(column) + row_bits));
+  tile = brick_wall_Tile(p - corner, vec2(0.2, 0.1), brick_wall_hash(uint(column) + row_bits));
   tile_local_dx = uv_dx * vec2(5.0, 10.0);
   tile_local_dy = uv_dy * vec2(5.0, 10.0);
 }
@@ -60,7 +58,7 @@ vec4 brick_wall_color_ramp(float position) {
   return mix(color, vec4(1.5, 1.5, 1.3, 1.0), clamp((position - 0.6) / 0.39999998, 0.0, 1.0));
 }
 
-// coverage, of layer (layers/layer.glsl)
+// coverage, of layer_element (layers/layer_element.glsl)
 float brick_wall_coverage(vec2 q, vec2 cell_in_q, vec2 local, vec2 q_dx, vec2 q_dy, vec2 local_dx,
     vec2 local_dy) {
   vec2 density = 1.0 / clamp(sqrt(q_dx * q_dx + q_dy * q_dy), vec2(1e-5), cell_in_q);
@@ -71,9 +69,9 @@ float brick_wall_coverage(vec2 q, vec2 cell_in_q, vec2 local, vec2 q_dx, vec2 q_
   return covered.x * covered.y;
 }
 
-// layer (layers/layer.glsl)
-void brick_wall_layer_brick_layer(brick_wall_Tile tile, vec3 tint, vec2 tile_local_dx,
-    vec2 tile_local_dy, out vec4 color, out brick_wall_Tile inner, out vec2 inner_local_dx,
+// layer_element (layers/layer_element.glsl)
+void brick_wall_layer_element_brick_layer(brick_wall_Tile tile, vec2 tile_local_dx,
+    vec2 tile_local_dy, out float alpha, out brick_wall_Tile inner, out vec2 inner_local_dx,
     out vec2 inner_local_dy) {
   uint seed = brick_wall_hash(tile.seed);
   uint hash_value = brick_wall_hash(seed - 2u);
@@ -91,17 +89,17 @@ void brick_wall_layer_brick_layer(brick_wall_Tile tile, vec3 tint, vec2 tile_loc
   vec2 q = point * p + (product2 * p.yx + 0.5);
   vec2 q_dx = tile_local_dx * point + tile_local_dx.yx * product2;
   vec2 q_dy = tile_local_dy * point + tile_local_dy.yx * product2;
-  vec4 color2 = textureGrad(brick, q, q_dx, q_dy);
-  float coverage_value = brick_wall_coverage(q, vec2(shrink), tile.local, q_dx, q_dy, tile_local_dx,
+  alpha = brick_wall_coverage(q, vec2(shrink), tile.local, q_dx, q_dy, tile_local_dx,
       tile_local_dy);
-  color = vec4(color2.xyz * tint, color2.w * coverage_value);
-  inner = brick_wall_Tile(tile.cell, q, size * tile.size, seed);
+  inner = brick_wall_Tile(q, size * tile.size, seed);
   inner_local_dx = q_dx;
   inner_local_dy = q_dy;
 }
 
-// layer (layers/layer.glsl)
-vec4 brick_wall_layer_soot_layer(brick_wall_Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
+// layer_element (layers/layer_element.glsl)
+void brick_wall_layer_element_soot_layer(brick_wall_Tile tile, vec2 tile_local_dx,
+    vec2 tile_local_dy, out float alpha, out brick_wall_Tile inner, out vec2 inner_local_dx,
+    out vec2 inner_local_dy) {
   uint seed = brick_wall_hash(tile.seed + 1u);
   uint hash_value = brick_wall_hash(seed - 2u);
   vec2 pose = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
@@ -118,18 +116,21 @@ vec4 brick_wall_layer_soot_layer(brick_wall_Tile tile, vec2 tile_local_dx, vec2 
   vec2 q = point * p + (product2 * p.yx + 0.5);
   vec2 q_dx = tile_local_dx * point + tile_local_dx.yx * product2;
   vec2 q_dy = tile_local_dy * point + tile_local_dy.yx * product2;
-  vec4 color = textureGrad(soot, q, q_dx, q_dy);
   uint hash_value3 = brick_wall_hash(seed - 3u);
   vec2 luck = vec2(float(hash_value3 & 65535u), float(hash_value3 >> 16u)) * 1.5258789e-5;
-  color = luck.y >= 0.7 ? vec4(color.xyz, 0.0) : color;
   float coverage_value = brick_wall_coverage(q, vec2(shrink), tile.local, q_dx, q_dy, tile_local_dx,
       tile_local_dy);
-  color = vec4(color.xyz, color.w * (luck.x * coverage_value));
-  return color;
+  float alpha2 = luck.x * coverage_value;
+  alpha = luck.y >= 0.7 ? 0.0 : alpha2;
+  inner = brick_wall_Tile(q, size * tile.size, seed);
+  inner_local_dx = q_dx;
+  inner_local_dy = q_dy;
 }
 
-// layer (layers/layer.glsl)
-vec4 brick_wall_layer_moss_layer(brick_wall_Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
+// layer_element (layers/layer_element.glsl)
+void brick_wall_layer_element_moss_layer(brick_wall_Tile tile, vec2 tile_local_dx,
+    vec2 tile_local_dy, out float alpha, out brick_wall_Tile inner, out vec2 inner_local_dx,
+    out vec2 inner_local_dy) {
   uint seed = brick_wall_hash(tile.seed + 2u);
   uint hash_value = brick_wall_hash(seed - 2u);
   vec2 pose = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
@@ -148,14 +149,15 @@ vec4 brick_wall_layer_moss_layer(brick_wall_Tile tile, vec2 tile_local_dx, vec2 
   vec2 q = product2 * p + (product3 * p.yx + 0.5);
   vec2 q_dx = tile_local_dx * product2 + tile_local_dx.yx * product3;
   vec2 q_dy = tile_local_dy * product2 + tile_local_dy.yx * product3;
-  vec4 color = textureGrad(moss, q, q_dx, q_dy);
   uint hash_value3 = brick_wall_hash(seed - 3u);
   vec2 luck = vec2(float(hash_value3 & 65535u), float(hash_value3 >> 16u)) * 1.5258789e-5;
-  color = luck.y >= 0.35 ? vec4(color.xyz, 0.0) : color;
   float coverage_value = brick_wall_coverage(q, along * shrink, tile.local, q_dx, q_dy,
       tile_local_dx, tile_local_dy);
-  color = vec4(color.xyz, color.w * (mix(0.6, 1.0, luck.x) * coverage_value));
-  return color;
+  float alpha2 = mix(0.6, 1.0, luck.x) * coverage_value;
+  alpha = luck.y >= 0.35 ? 0.0 : alpha2;
+  inner = brick_wall_Tile(q, vec2(size * side), seed);
+  inner_local_dx = q_dx;
+  inner_local_dy = q_dy;
 }
 
 // blend (layers/blend.glsl)
@@ -191,26 +193,40 @@ void brick_wall(vec2 uv, out vec4 color, out float roughness) {
   // brick_tint: multiply (math/multiply.glsl)
   vec3 brick_tint = shade * tint;
   // brick_layer: layer (layers/layer.glsl)
-  vec4 brick_layer_color;
+  float alpha;
   brick_wall_Tile brick_layer_inner;
   vec2 brick_layer_inner_local_dx, brick_layer_inner_local_dy;
-  brick_wall_layer_brick_layer(grid, brick_tint, grid_local_dx, grid_local_dy, brick_layer_color,
-      brick_layer_inner, brick_layer_inner_local_dx, brick_layer_inner_local_dy);
+  brick_wall_layer_element_brick_layer(grid, grid_local_dx, grid_local_dy, alpha, brick_layer_inner,
+      brick_layer_inner_local_dx, brick_layer_inner_local_dy);
+  vec4 texel = textureGrad(brick, brick_layer_inner.local, brick_layer_inner_local_dx,
+      brick_layer_inner_local_dy);
+  float brick_mask = texel.w * alpha;
+  vec4 brick_layer_color = vec4(texel.xyz * brick_tint, brick_mask);
   // soot_layer: layer (layers/layer.glsl)
-  vec4 soot_layer_color = brick_wall_layer_soot_layer(brick_layer_inner, brick_layer_inner_local_dx,
-      brick_layer_inner_local_dy);
+  float alpha2;
+  brick_wall_Tile inner;
+  vec2 inner_local_dx, inner_local_dy;
+  brick_wall_layer_element_soot_layer(brick_layer_inner, brick_layer_inner_local_dx,
+      brick_layer_inner_local_dy, alpha2, inner, inner_local_dx, inner_local_dy);
+  vec4 texel2 = textureGrad(soot, inner.local, inner_local_dx, inner_local_dy);
+  vec4 soot_layer_color = vec4(texel2.xyz, texel2.w * alpha2);
   // moss_layer: layer (layers/layer.glsl)
-  vec4 moss_layer_color = brick_wall_layer_moss_layer(brick_layer_inner, brick_layer_inner_local_dx,
-      brick_layer_inner_local_dy);
+  float alpha3;
+  brick_wall_Tile inner2;
+  vec2 inner_local_dx2, inner_local_dy2;
+  brick_wall_layer_element_moss_layer(brick_layer_inner, brick_layer_inner_local_dx,
+      brick_layer_inner_local_dy, alpha3, inner2, inner_local_dx2, inner_local_dy2);
+  vec4 texel3 = textureGrad(moss, inner2.local, inner_local_dx2, inner_local_dy2);
+  vec4 moss_layer_color = vec4(texel3.xyz, texel3.w * alpha3);
   // sooty_brick: blend (layers/blend.glsl)
   vec4 sooty_brick = brick_wall_blend_sooty_brick(soot_layer_color, brick_layer_color, soot_amount,
-      brick_layer_color.w);
+      brick_mask);
   // wall: over (layers/over.glsl)
   vec4 wall = vec4(mix(bed.xyz, sooty_brick.xyz, sooty_brick.w), 1.0);
   // mossy_wall: blend (layers/blend.glsl)
   vec4 mossy_wall = brick_wall_blend_mossy_wall(moss_layer_color, wall, moss_amount);
   // roughness: lerp (math/lerp.glsl)
-  float roughness2 = mix(0.95, 0.8, brick_layer_color.w);
+  float roughness2 = mix(0.95, 0.8, brick_mask);
   color = mossy_wall;
   roughness = roughness2;
 }

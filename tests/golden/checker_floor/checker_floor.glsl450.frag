@@ -14,7 +14,6 @@ layout(location = 1) out float out_roughness;
 
 // Types
 struct Tile {
-  ivec2 cell;
   vec2 local;
   vec2 size;
   uint seed;
@@ -46,7 +45,7 @@ void brick_grid(vec2 uv, vec2 uv_dx, vec2 uv_dy, out Tile tile, out vec2 tile_lo
   uint row_bits = hash(uint(row) + 129708002u);
   vec2 corner = floor(p);
   int column = int(corner.x);
-  tile = Tile(ivec2(column, row), p - corner, vec2(0.125), hash(uint(column) + row_bits));
+  tile = Tile(p - corner, vec2(0.125), hash(uint(column) + row_bits));
   tile_local_dx = uv_dx * 8.0;
   tile_local_dy = uv_dy * 8.0;
 }

@@ -8,7 +8,6 @@ uniform vec4 dark;  // default vec4(0.07, 0.075, 0.085, 1.0)
 
 // Types
 struct checker_floor_Tile {
-  ivec2 cell;
   vec2 local;
   vec2 size;
   uint seed;
@@ -40,8 +39,7 @@ void checker_floor_brick_grid(vec2 uv, vec2 uv_dx, vec2 uv_dy, out checker_floor
   uint row_bits = checker_floor_hash(uint(row) + 129708002u);
   vec2 corner = floor(p);
   int column = int(corner.x);
-  tile = checker_floor_Tile(ivec2(column, row), p - corner, vec2(0.125),
-      checker_floor_hash(uint(column) + row_bits));
+  tile = checker_floor_Tile(p - corner, vec2(0.125), checker_floor_hash(uint(column) + row_bits));
   tile_local_dx = uv_dx * 8.0;
   tile_local_dy = uv_dy * 8.0;
 }

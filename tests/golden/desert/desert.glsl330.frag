@@ -12,7 +12,6 @@ layout(location = 0) out vec4 out_color;
 
 // Types
 struct Tile {
-  ivec2 cell;
   vec2 local;
   vec2 size;
   uint seed;
@@ -93,19 +92,60 @@ float value_noise2(vec2 uv, vec2 scale, int seed, vec2 uv_dx, vec2 uv_dy) {
 }
 
 // brick_grid (tiles/brick_grid.glsl)
-void brick_grid(vec2 uv, int rows, int columns, int seed, vec2 uv_dx, vec2 uv_dy, out Tile tile,
-    out vec2 tile_local_dx, out vec2 tile_local_dy) {
+void brick_grid_stone_grid(vec2 uv, int rows, int columns, int seed, ivec2 neighbour, vec2 uv_dx,
+    vec2 uv_dy, out Tile tile, out vec2 tile_local_dx, out vec2 tile_local_dy) {
   vec2 cells = vec2(float(columns), float(rows));
   vec2 p = uv * cells;
-  int row = int(floor(p.y));
+  int row = int(floor(p.y)) + neighbour.y;
   uint row_bits = hash(uint(row) + hash(uint(seed)));
   float sum = 0.5 * float(row & 1) + float(hash(row_bits - 1u) >> 8u) * 5.9604645e-8;
   p = vec2(p.x + sum, p.y);
-  vec2 corner = floor(p);
+  vec2 corner = floor(p) + vec2(neighbour);
   int column = int(corner.x);
-  tile = Tile(ivec2(column, row), p - corner, 1.0 / cells, hash(uint(column) + row_bits));
+  tile = Tile(p - corner, 1.0 / cells, hash(uint(column) + row_bits));
   tile_local_dx = uv_dx * cells;
   tile_local_dy = uv_dy * cells;
+}
+
+// coverage, of layer_element (layers/layer_element.glsl)
+float coverage(vec2 q, vec2 cell_in_q, vec2 q_dx, vec2 q_dy) {
+  vec2 density = 1.0 / clamp(sqrt(q_dx * q_dx + q_dy * q_dy), vec2(1e-5), cell_in_q);
+  vec2 share = min((0.5 - abs(q - 0.5)) * density + 0.5, density);
+  vec2 covered = clamp(share, 0.0, 1.0);
+  return covered.x * covered.y;
+}
+
+// layer_element (layers/layer_element.glsl)
+void layer_element_stones(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy, out float alpha,
+    out Tile inner, out vec2 inner_local_dx, out vec2 inner_local_dy) {
+  uint seed = hash(tile.seed);
+  uint hash_value = hash(seed - 2u);
+  vec2 pose = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
+  float angle = mix(-20.0, 20.0, pose.y) * 0.017453292;
+  uint bits = hash(seed - 4u);
+  float ratio = mix(0.7, 1.2, float(bits & 65535u) * 1.5258789e-5);
+  float size = mix(0.15, 0.55, pose.x);
+  float side = min(tile.size.x, tile.size.y);
+  vec2 along = tile.size / side;
+  vec2 across = vec2(tile.size.y, -tile.size.x) / side;
+  uint hash_value2 = hash(seed - 1u);
+  vec2 product = vec2(float(hash_value2 & 65535u), float(hash_value2 >> 16u)) * 1.5258789e-5;
+  vec2 center = mix(vec2(0.3), vec2(0.7), product);
+  vec2 p = tile.local - center;
+  float shrink = 1.0 / size;
+  vec2 into = shrink * vec2(1.0, 1.0 / ratio);
+  vec2 product2 = cos(angle) * into * along;
+  vec2 product3 = sin(angle) * into * across;
+  vec2 q = product2 * p + (product3 * p.yx + 0.5);
+  vec2 q_dx = tile_local_dx * product2 + tile_local_dx.yx * product3;
+  vec2 q_dy = tile_local_dy * product2 + tile_local_dy.yx * product3;
+  uint hash_value3 = hash(seed - 3u);
+  vec2 luck = vec2(float(hash_value3 & 65535u), float(hash_value3 >> 16u)) * 1.5258789e-5;
+  float alpha2 = coverage(q, along * into, q_dx, q_dy);
+  alpha = luck.y >= 0.4 ? 0.0 : alpha2;
+  inner = Tile(q, size * vec2(1.0, ratio) * side, seed);
+  inner_local_dx = q_dx;
+  inner_local_dy = q_dy;
 }
 
 // circle (patterns/circle.glsl)
@@ -173,77 +213,114 @@ vec4 rock(vec2 uv, Tile tile, vec2 uv_dx, vec2 uv_dy) {
   return whole;
 }
 
-// coverage, of layer (layers/layer.glsl)
-float coverage(vec2 q, vec2 cell_in_q, vec2 local, vec2 q_dx, vec2 q_dy, vec2 local_dx,
-    vec2 local_dy) {
-  vec2 density = 1.0 / clamp(sqrt(q_dx * q_dx + q_dy * q_dy), vec2(1e-5), cell_in_q);
-  vec2 share = min((0.5 - abs(q - 0.5)) * density + 0.5, density);
-  vec2 cell_width = clamp(sqrt(local_dx * local_dx + local_dy * local_dy), 1e-5, 1.0);
-  vec2 inside = clamp((0.5 - abs(local - 0.5)) / cell_width + 0.5, 0.5, 1.0);
-  vec2 covered = clamp(share / inside, 0.0, 1.0);
-  return covered.x * covered.y;
+// brick_grid (tiles/brick_grid.glsl)
+Tile brick_grid_stone_grid2(vec2 uv, int rows, int columns, int seed, ivec2 neighbour) {
+  vec2 cells = vec2(float(columns), float(rows));
+  vec2 p = uv * cells;
+  int row = int(floor(p.y)) + neighbour.y;
+  uint row_bits = hash(uint(row) + hash(uint(seed)));
+  float sum = 0.5 * float(row & 1) + float(hash(row_bits - 1u) >> 8u) * 5.9604645e-8;
+  p = vec2(p.x + sum, p.y);
+  vec2 corner = floor(p) + vec2(neighbour);
+  int column = int(corner.x);
+  Tile tile = Tile(p - corner, 1.0 / cells, hash(uint(column) + row_bits));
+  return tile;
+}
+
+// stone_tint_at (a function of neighbour)
+vec3 stone_tint_at(ivec2 neighbour, vec2 uv) {
+  // stone_grid: brick_grid (tiles/brick_grid.glsl)
+  Tile stone_grid = brick_grid_stone_grid2(uv, 17, 16, 5, neighbour);
+  // stone_tone: tile_random (tiles/tile_random.glsl)
+  float stone_tone = mix(0.8, 1.7, float(hash(stone_grid.seed) >> 8u) * 5.9604645e-8);
+  // stone_tint: multiply (math/multiply.glsl)
+  vec3 stone_tint = stone_tone * vec3(1.0, 0.9, 0.8);
+  return stone_tint;
+}
+
+// draw_stones, of layer (layers/layer.glsl)
+vec4 draw_stones(vec2 uv, vec2 uv2, ivec2 which, vec2 uv_dx, vec2 uv_dy) {
+  Tile tile;
+  vec2 tile_local_dx, tile_local_dy;
+  brick_grid_stone_grid(uv, 17, 16, 5, which, uv_dx, uv_dy, tile, tile_local_dx, tile_local_dy);
+  float alpha;
+  Tile inner;
+  vec2 inner_local_dx, inner_local_dy;
+  layer_element_stones(tile, tile_local_dx, tile_local_dy, alpha, inner, inner_local_dx,
+      inner_local_dy);
+  vec4 color = vec4(0.0);
+  if (alpha > 0.0) {
+    color = rock(inner.local, inner, inner_local_dx, inner_local_dy);
+    color = vec4(color.xyz * stone_tint_at(which, uv2), color.w * alpha);
+  }
+  return color;
 }
 
 // layer (layers/layer.glsl)
-vec4 layer_stones(Tile tile, vec3 tint, vec2 tile_local_dx, vec2 tile_local_dy) {
+vec4 layer_stones(vec2 uv, vec2 uv2, vec2 uv_dx, vec2 uv_dy) {
+  vec4 color = vec4(0.0);
+  for (int y = 1; y > -2; --y) {
+    for (int x = 1; x > -2; --x) {
+      if (color.w < 0.999) {
+        vec4 other = draw_stones(uv, uv2, ivec2(x, y), uv_dx, uv_dy);
+        float below = other.w * (1.0 - color.w);
+        color += vec4(other.xyz * below, below);
+      }
+    }
+  }
+  color = vec4(color.xyz / max(color.w, 1e-20), color.w);
+  return color;
+}
+
+// turned, of layer_element (layers/layer_element.glsl)
+vec2 turned(vec2 p, uint bits, vec2 p_dx, vec2 p_dy, out vec2 result_dx, out vec2 result_dy) {
+  bool test = (bits & 1u) != 0u;
+  vec2 p2 = test ? vec2(p.y, -p.x) : p;
+  vec2 p_dx2 = test ? vec2(p_dx.y, -p_dx.x) : p_dx;
+  vec2 p_dy2 = test ? vec2(p_dy.y, -p_dy.x) : p_dy;
+  bool test2 = (bits & 2u) != 0u;
+  p2 = test2 ? -p2 : p2;
+  p_dx2 = test2 ? -p_dx2 : p_dx2;
+  p_dy2 = test2 ? -p_dy2 : p_dy2;
+  bool test3 = (bits & 4u) != 0u;
+  bool test4 = (bits & 8u) != 0u;
+  p2 = vec2(test3 ? -p2.x : p2.x, test4 ? -p2.y : p2.y);
+  result_dx = vec2(test3 ? -p_dx2.x : p_dx2.x, test4 ? -p_dx2.y : p_dx2.y);
+  result_dy = vec2(test3 ? -p_dy2.x : p_dy2.x, test4 ? -p_dy2.y : p_dy2.y);
+  return p2;
+}
+
+// layer_element (layers/layer_element.glsl)
+void layer_element_tufts(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy, out float alpha,
+    out Tile inner, out vec2 inner_local_dx, out vec2 inner_local_dy) {
   uint seed = hash(tile.seed);
   uint hash_value = hash(seed - 2u);
   vec2 pose = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
-  float angle = mix(-20.0, 20.0, pose.y) * 0.017453292;
+  float angle = 360.0 * pose.y * 0.017453292;
   uint bits = hash(seed - 4u);
-  float ratio = mix(0.7, 1.2, float(bits & 65535u) * 1.5258789e-5);
-  float size = mix(0.15, 0.55, pose.x);
+  float size = mix(0.45, 0.7, pose.x);
   float side = min(tile.size.x, tile.size.y);
   vec2 along = tile.size / side;
   vec2 across = vec2(tile.size.y, -tile.size.x) / side;
   uint hash_value2 = hash(seed - 1u);
   vec2 product = vec2(float(hash_value2 & 65535u), float(hash_value2 >> 16u)) * 1.5258789e-5;
-  vec2 center = mix(vec2(0.3), vec2(0.7), product);
+  vec2 center = mix(vec2(0.35), vec2(0.65), product);
   vec2 p = tile.local - center;
   float shrink = 1.0 / size;
-  vec2 into = shrink * vec2(1.0, 1.0 / ratio);
-  vec2 product2 = cos(angle) * into * along;
-  vec2 product3 = sin(angle) * into * across;
+  vec2 product2 = cos(angle) * shrink * along;
+  vec2 product3 = sin(angle) * shrink * across;
   vec2 q = product2 * p + (product3 * p.yx + 0.5);
   vec2 q_dx = tile_local_dx * product2 + tile_local_dx.yx * product3;
   vec2 q_dy = tile_local_dy * product2 + tile_local_dy.yx * product3;
-  Tile inner = Tile(tile.cell, q, size * vec2(1.0, ratio) * side, seed);
-  vec4 color = rock(q, inner, q_dx, q_dy);
-  vec3 product4 = color.xyz * tint;
-  color = vec4(product4, color.w);
+  vec2 inner_local_dx2, inner_local_dy2;
+  vec2 turned_value = turned(q - 0.5, bits >> 16u, q_dx, q_dy, inner_local_dx2, inner_local_dy2);
   uint hash_value3 = hash(seed - 3u);
   vec2 luck = vec2(float(hash_value3 & 65535u), float(hash_value3 >> 16u)) * 1.5258789e-5;
-  color = luck.y >= 0.4 ? vec4(product4, 0.0) : color;
-  float coverage_value = coverage(q, along * into, tile.local, q_dx, q_dy, tile_local_dx,
-      tile_local_dy);
-  color = vec4(color.xyz, color.w * coverage_value);
-  return color;
-}
-
-// random3 (random/random3.glsl)
-vec3 random3(uint seed) {
-  uint bits = hash(seed);
-  vec2 product = vec2(float(bits & 65535u), float(bits >> 16u)) * 1.5258789e-5;
-  return vec3(product, float(hash(bits) >> 8u) * 5.9604645e-8);
-}
-
-// turned, of layer (layers/layer.glsl)
-vec2 turned(vec2 q, uint bits, vec2 q_dx, vec2 q_dy, out vec2 result_dx, out vec2 result_dy) {
-  vec2 p = q - 0.5;
-  bool test = (bits & 1u) != 0u;
-  p = test ? vec2(p.y, -p.x) : p;
-  vec2 p_dx = test ? vec2(q_dx.y, -q_dx.x) : q_dx;
-  vec2 p_dy = test ? vec2(q_dy.y, -q_dy.x) : q_dy;
-  bool test2 = (bits & 2u) != 0u;
-  p = test2 ? -p : p;
-  p_dx = test2 ? -p_dx : p_dx;
-  p_dy = test2 ? -p_dy : p_dy;
-  bool test3 = (bits & 4u) != 0u;
-  bool test4 = (bits & 8u) != 0u;
-  p = vec2(test3 ? -p.x : p.x, test4 ? -p.y : p.y);
-  result_dx = vec2(test3 ? -p_dx.x : p_dx.x, test4 ? -p_dx.y : p_dx.y);
-  result_dy = vec2(test3 ? -p_dy.x : p_dy.x, test4 ? -p_dy.y : p_dy.y);
-  return p + 0.5;
+  float alpha2 = coverage(q, along * shrink, q_dx, q_dy);
+  alpha = luck.y >= 0.55 ? 0.0 : alpha2;
+  inner = Tile(turned_value + 0.5, vec2(size * side), seed);
+  inner_local_dx = inner_local_dx2;
+  inner_local_dy = inner_local_dy2;
 }
 
 // threshold (math/threshold.glsl)
@@ -308,43 +385,52 @@ vec4 tuft(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
   return grown;
 }
 
-// layer (layers/layer.glsl)
-vec4 layer_tufts(Tile tile, vec3 tint, vec2 tile_local_dx, vec2 tile_local_dy) {
-  uint seed = hash(tile.seed);
-  uint hash_value = hash(seed - 2u);
-  vec2 pose = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
-  float angle = 360.0 * pose.y * 0.017453292;
-  uint bits = hash(seed - 4u);
-  float size = mix(0.45, 0.7, pose.x);
-  float side = min(tile.size.x, tile.size.y);
-  vec2 along = tile.size / side;
-  vec2 across = vec2(tile.size.y, -tile.size.x) / side;
-  uint hash_value2 = hash(seed - 1u);
-  vec2 product = vec2(float(hash_value2 & 65535u), float(hash_value2 >> 16u)) * 1.5258789e-5;
-  vec2 center = mix(vec2(0.35), vec2(0.65), product);
-  vec2 p = tile.local - center;
-  float shrink = 1.0 / size;
-  vec2 product2 = cos(angle) * shrink * along;
-  vec2 product3 = sin(angle) * shrink * across;
-  vec2 q = product2 * p + (product3 * p.yx + 0.5);
-  vec2 q_dx = tile_local_dx * product2 + tile_local_dx.yx * product3;
-  vec2 q_dy = tile_local_dy * product2 + tile_local_dy.yx * product3;
-  vec2 result_dx, result_dy;
-  vec2 turned_value = turned(q, bits >> 16u, q_dx, q_dy, result_dx, result_dy);
-  vec4 color = tuft(turned_value, result_dx, result_dy);
-  vec3 product4 = color.xyz * tint;
-  color = vec4(product4, color.w);
-  uint hash_value3 = hash(seed - 3u);
-  vec2 luck = vec2(float(hash_value3 & 65535u), float(hash_value3 >> 16u)) * 1.5258789e-5;
-  color = luck.y >= 0.55 ? vec4(product4, 0.0) : color;
-  float coverage_value = coverage(q, along * shrink, tile.local, q_dx, q_dy, tile_local_dx,
-      tile_local_dy);
-  color = vec4(color.xyz, color.w * coverage_value);
+// random3 (random/random3.glsl)
+vec3 random3(uint seed) {
+  uint bits = hash(seed);
+  vec2 product = vec2(float(bits & 65535u), float(bits >> 16u)) * 1.5258789e-5;
+  return vec3(product, float(hash(bits) >> 8u) * 5.9604645e-8);
+}
+
+// draw_tufts, of layer (layers/layer.glsl)
+vec4 draw_tufts(vec2 uv, vec2 uv2, ivec2 which, vec2 uv_dx, vec2 uv_dy) {
+  Tile tile;
+  vec2 tile_local_dx, tile_local_dy;
+  brick_grid_stone_grid(uv, 7, 6, 6, which, uv_dx, uv_dy, tile, tile_local_dx, tile_local_dy);
+  float alpha;
+  Tile inner;
+  vec2 inner_local_dx, inner_local_dy;
+  layer_element_tufts(tile, tile_local_dx, tile_local_dy, alpha, inner, inner_local_dx,
+      inner_local_dy);
+  vec4 color = vec4(0.0);
+  if (alpha > 0.0) {
+    color = tuft(inner.local, inner_local_dx, inner_local_dy);
+    vec3 random3_value = random3(brick_grid_stone_grid2(uv2, 7, 6, 6, which).seed);
+    vec3 product = color.xyz * mix(vec3(0.75, 0.8, 0.6), vec3(1.3, 1.15, 1.0), random3_value);
+    color = vec4(product, color.w * alpha);
+  }
   return color;
 }
 
 // layer (layers/layer.glsl)
-vec4 layer_rocks(Tile tile, vec3 tint, vec2 tile_local_dx, vec2 tile_local_dy) {
+vec4 layer_tufts(vec2 uv, vec2 uv2, vec2 uv_dx, vec2 uv_dy) {
+  vec4 color = vec4(0.0);
+  for (int y = 1; y > -2; --y) {
+    for (int x = 1; x > -2; --x) {
+      if (color.w < 0.999) {
+        vec4 other = draw_tufts(uv, uv2, ivec2(x, y), uv_dx, uv_dy);
+        float below = other.w * (1.0 - color.w);
+        color += vec4(other.xyz * below, below);
+      }
+    }
+  }
+  color = vec4(color.xyz / max(color.w, 1e-20), color.w);
+  return color;
+}
+
+// layer_element (layers/layer_element.glsl)
+void layer_element_rocks(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy, out float alpha,
+    out Tile inner, out vec2 inner_local_dx, out vec2 inner_local_dy) {
   uint seed = hash(tile.seed + 1u);
   uint hash_value = hash(seed - 2u);
   vec2 pose = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
@@ -366,16 +452,48 @@ vec4 layer_rocks(Tile tile, vec3 tint, vec2 tile_local_dx, vec2 tile_local_dy) {
   vec2 q = product2 * p + (product3 * p.yx + 0.5);
   vec2 q_dx = tile_local_dx * product2 + tile_local_dx.yx * product3;
   vec2 q_dy = tile_local_dy * product2 + tile_local_dy.yx * product3;
-  Tile inner = Tile(tile.cell, q, size * vec2(1.0, ratio) * side, seed);
-  vec4 color = rock(q, inner, q_dx, q_dy);
-  vec3 product4 = color.xyz * tint;
-  color = vec4(product4, color.w);
   uint hash_value3 = hash(seed - 3u);
   vec2 luck = vec2(float(hash_value3 & 65535u), float(hash_value3 >> 16u)) * 1.5258789e-5;
-  color = luck.y >= 0.45 ? vec4(product4, 0.0) : color;
-  float coverage_value = coverage(q, along * into, tile.local, q_dx, q_dy, tile_local_dx,
-      tile_local_dy);
-  color = vec4(color.xyz, color.w * coverage_value);
+  float alpha2 = coverage(q, along * into, q_dx, q_dy);
+  alpha = luck.y >= 0.45 ? 0.0 : alpha2;
+  inner = Tile(q, size * vec2(1.0, ratio) * side, seed);
+  inner_local_dx = q_dx;
+  inner_local_dy = q_dy;
+}
+
+// draw_rocks, of layer (layers/layer.glsl)
+vec4 draw_rocks(vec2 uv, vec2 uv2, ivec2 which, vec2 uv_dx, vec2 uv_dy) {
+  Tile tile;
+  vec2 tile_local_dx, tile_local_dy;
+  brick_grid_stone_grid(uv, 4, 4, 9, which, uv_dx, uv_dy, tile, tile_local_dx, tile_local_dy);
+  float alpha;
+  Tile inner;
+  vec2 inner_local_dx, inner_local_dy;
+  layer_element_rocks(tile, tile_local_dx, tile_local_dy, alpha, inner, inner_local_dx,
+      inner_local_dy);
+  vec4 color = vec4(0.0);
+  if (alpha > 0.0) {
+    color = rock(inner.local, inner, inner_local_dx, inner_local_dy);
+    vec3 random3_value = random3(brick_grid_stone_grid2(uv2, 4, 4, 9, which).seed);
+    vec3 product = color.xyz * mix(vec3(1.0, 0.92, 0.8), vec3(1.4, 1.1, 0.9), random3_value);
+    color = vec4(product, color.w * alpha);
+  }
+  return color;
+}
+
+// layer (layers/layer.glsl)
+vec4 layer_rocks(vec2 uv, vec2 uv2, vec2 uv_dx, vec2 uv_dy) {
+  vec4 color = vec4(0.0);
+  for (int y = 1; y > -2; --y) {
+    for (int x = 1; x > -2; --x) {
+      if (color.w < 0.999) {
+        vec4 other = draw_rocks(uv, uv2, ivec2(x, y), uv_dx, uv_dy);
+        float below = other.w * (1.0 - color.w);
+        color += vec4(other.xyz * below, below);
+      }
+    }
+  }
+  color = vec4(color.xyz / max(color.w, 1e-20), color.w);
   return color;
 }
 
@@ -417,33 +535,12 @@ void main() {
   float light = sand_tone * far_tone;
   // sand_rgb: multiply (math/multiply.glsl)
   vec3 sand_rgb = sand * light;
-  // stone_grid: brick_grid (tiles/brick_grid.glsl)
-  Tile stone_grid;
-  vec2 stone_grid_local_dx, stone_grid_local_dy;
-  brick_grid(uv, 17, 16, 5, uv_dx, uv_dy, stone_grid, stone_grid_local_dx, stone_grid_local_dy);
-  // stone_tone: tile_random (tiles/tile_random.glsl)
-  float stone_tone = mix(0.8, 1.7, float(hash(stone_grid.seed) >> 8u) * 5.9604645e-8);
-  // stone_tint: multiply (math/multiply.glsl)
-  vec3 stone_tint = stone_tone * vec3(1.0, 0.9, 0.8);
   // stones: layer (layers/layer.glsl)
-  vec4 stones_color = layer_stones(stone_grid, stone_tint, stone_grid_local_dx,
-      stone_grid_local_dy);
-  // grass_grid: brick_grid (tiles/brick_grid.glsl)
-  Tile grass_grid;
-  vec2 grass_grid_local_dx, grass_grid_local_dy;
-  brick_grid(uv, 7, 6, 6, uv_dx, uv_dy, grass_grid, grass_grid_local_dx, grass_grid_local_dy);
-  // grass_tint: tile_random_color (tiles/tile_random_color.glsl)
-  vec3 grass_tint = mix(vec3(0.75, 0.8, 0.6), vec3(1.3, 1.15, 1.0), random3(grass_grid.seed));
+  vec4 stones_color = layer_stones(uv, uv, uv_dx, uv_dy);
   // tufts: layer (layers/layer.glsl)
-  vec4 tufts_color = layer_tufts(grass_grid, grass_tint, grass_grid_local_dx, grass_grid_local_dy);
-  // rock_grid: brick_grid (tiles/brick_grid.glsl)
-  Tile rock_grid;
-  vec2 rock_grid_local_dx, rock_grid_local_dy;
-  brick_grid(uv, 4, 4, 9, uv_dx, uv_dy, rock_grid, rock_grid_local_dx, rock_grid_local_dy);
-  // rock_tint: tile_random_color (tiles/tile_random_color.glsl)
-  vec3 rock_tint = mix(vec3(1.0, 0.92, 0.8), vec3(1.4, 1.1, 0.9), random3(rock_grid.seed));
+  vec4 tufts_color = layer_tufts(uv, uv, uv_dx, uv_dy);
   // rocks: layer (layers/layer.glsl)
-  vec4 rocks_color = layer_rocks(rock_grid, rock_tint, rock_grid_local_dx, rock_grid_local_dy);
+  vec4 rocks_color = layer_rocks(uv, uv, uv_dx, uv_dy);
   // with_stones: over (layers/over.glsl)
   vec3 blend = mix(sand_rgb, stones_color.xyz, stones_color.w);
   // with_grass: over (layers/over.glsl)

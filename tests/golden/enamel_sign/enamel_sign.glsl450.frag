@@ -17,7 +17,6 @@ layout(location = 1) out float out_roughness;
 
 // Types
 struct Tile {
-  ivec2 cell;
   vec2 local;
   vec2 size;
   uint seed;
@@ -407,9 +406,33 @@ void brick_grid(vec2 uv, vec2 uv_dx, vec2 uv_dy, out Tile tile, out vec2 tile_lo
   uint row_bits = hash(uint(row) + 2161170183u);
   vec2 corner = floor(p);
   int column = int(corner.x);
-  tile = Tile(ivec2(column, row), p - corner, vec2(0.5), hash(uint(column) + row_bits));
+  tile = Tile(p - corner, vec2(0.5), hash(uint(column) + row_bits));
   tile_local_dx = uv_dx * 2.0;
   tile_local_dy = uv_dy * 2.0;
+}
+
+// coverage, of layer_element (layers/layer_element.glsl)
+float coverage(vec2 q, vec2 local, vec2 q_dx, vec2 q_dy, vec2 local_dx, vec2 local_dy) {
+  vec2 density = 1.0 / clamp(sqrt(q_dx * q_dx + q_dy * q_dy), 1e-5, 9.523809);
+  vec2 share = min((0.5 - abs(q - 0.5)) * density + 0.5, density);
+  vec2 cell_width = clamp(sqrt(local_dx * local_dx + local_dy * local_dy), 1e-5, 1.0);
+  vec2 inside = clamp((0.5 - abs(local - 0.5)) / cell_width + 0.5, 0.5, 1.0);
+  vec2 covered = clamp(share / inside, 0.0, 1.0);
+  return covered.x * covered.y;
+}
+
+// layer_element (layers/layer_element.glsl)
+void layer_element_heads(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy, out float alpha,
+    out Tile inner, out vec2 inner_local_dx, out vec2 inner_local_dy) {
+  uint seed = hash(tile.seed);
+  vec2 p = tile.local - 0.5;
+  vec2 q = 9.523809 * p + 0.5;
+  vec2 q_dx = tile_local_dx * 9.523809;
+  vec2 q_dy = tile_local_dy * 9.523809;
+  alpha = coverage(q, tile.local, q_dx, q_dy, tile_local_dx, tile_local_dy);
+  inner = Tile(q, 0.105 * tile.size, seed);
+  inner_local_dx = q_dx;
+  inner_local_dy = q_dy;
 }
 
 // screw_head (function of the graph)
@@ -449,26 +472,24 @@ vec4 screw_head(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
   return color;
 }
 
-// coverage, of layer (layers/layer.glsl)
-float coverage(vec2 q, vec2 local, vec2 q_dx, vec2 q_dy, vec2 local_dx, vec2 local_dy) {
-  vec2 density = 1.0 / clamp(sqrt(q_dx * q_dx + q_dy * q_dy), 1e-5, 9.523809);
-  vec2 share = min((0.5 - abs(q - 0.5)) * density + 0.5, density);
-  vec2 cell_width = clamp(sqrt(local_dx * local_dx + local_dy * local_dy), 1e-5, 1.0);
-  vec2 inside = clamp((0.5 - abs(local - 0.5)) / cell_width + 0.5, 0.5, 1.0);
-  vec2 covered = clamp(share / inside, 0.0, 1.0);
-  return covered.x * covered.y;
-}
-
-// layer (layers/layer.glsl)
-vec4 layer_heads(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
+// layer_element (layers/layer_element.glsl)
+void layer_element_slots(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy, out float alpha,
+    out Tile inner, out vec2 inner_local_dx, out vec2 inner_local_dy) {
+  uint seed = hash(tile.seed);
+  uint hash_value = hash(seed - 2u);
+  vec2 pose = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
+  float angle = 180.0 * pose.y * 0.017453292;
+  vec2 across = vec2(tile.size.y, -tile.size.x) / tile.size;
   vec2 p = tile.local - 0.5;
-  vec2 q = 9.523809 * p + 0.5;
-  vec2 q_dx = tile_local_dx * 9.523809;
-  vec2 q_dy = tile_local_dy * 9.523809;
-  vec4 color = screw_head(q, q_dx, q_dy);
-  float product = color.w * coverage(q, tile.local, q_dx, q_dy, tile_local_dx, tile_local_dy);
-  color = vec4(color.xyz, product);
-  return color;
+  vec2 point = vec2(cos(angle) * 9.523809);
+  vec2 product = sin(angle) * 9.523809 * across;
+  vec2 q = point * p + (product * p.yx + 0.5);
+  vec2 q_dx = tile_local_dx * point + tile_local_dx.yx * product;
+  vec2 q_dy = tile_local_dy * point + tile_local_dy.yx * product;
+  alpha = coverage(q, tile.local, q_dx, q_dy, tile_local_dx, tile_local_dy);
+  inner = Tile(q, 0.105 * tile.size, seed);
+  inner_local_dx = q_dx;
+  inner_local_dy = q_dy;
 }
 
 // sdf_line (shapes/sdf_line.glsl)
@@ -497,27 +518,6 @@ float sdf_line(vec2 uv, vec2 uv_dx, vec2 uv_dy, out float result_dx, out float r
   result_dx = beside_dx;
   result_dy = beside_dy;
   return beside - 0.045;
-}
-
-// layer (layers/layer.glsl)
-vec4 layer_slots(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
-  uint seed = hash(tile.seed);
-  uint hash_value = hash(seed - 2u);
-  vec2 pose = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
-  float angle = 180.0 * pose.y * 0.017453292;
-  vec2 across = vec2(tile.size.y, -tile.size.x) / tile.size;
-  vec2 p = tile.local - 0.5;
-  vec2 point = vec2(cos(angle) * 9.523809);
-  vec2 product = sin(angle) * 9.523809 * across;
-  vec2 q = point * p + (product * p.yx + 0.5);
-  vec2 q_dx = tile_local_dx * point + tile_local_dx.yx * product;
-  vec2 q_dy = tile_local_dy * point + tile_local_dy.yx * product;
-  float result_dx, result_dy;
-  float sdf_line_value = sdf_line(q, q_dx, q_dy, result_dx, result_dy);
-  float coverage_value = coverage(q, tile.local, q_dx, q_dy, tile_local_dx, tile_local_dy);
-  vec4 color = vec4(0.01, 0.01, 0.01,
-      sdf_fill_plate_mask(sdf_line_value, result_dx, result_dy) * coverage_value);
-  return color;
 }
 
 void main() {
@@ -691,15 +691,29 @@ void main() {
   vec2 corners_local_dx, corners_local_dy;
   brick_grid(screw_uv, screw_uv_dx, screw_uv_dy, corners, corners_local_dx, corners_local_dy);
   // heads: layer (layers/layer.glsl)
-  vec4 heads_color = layer_heads(corners, corners_local_dx, corners_local_dy);
+  float alpha;
+  Tile inner;
+  vec2 inner_local_dx, inner_local_dy;
+  layer_element_heads(corners, corners_local_dx, corners_local_dy, alpha, inner, inner_local_dx,
+      inner_local_dy);
+  vec4 screw_head_value = screw_head(inner.local, inner_local_dx, inner_local_dy);
+  float heads_alpha = screw_head_value.w * alpha;
   // slots: layer (layers/layer.glsl)
-  vec4 slots_color = layer_slots(corners, corners_local_dx, corners_local_dy);
+  float alpha2;
+  Tile inner2;
+  vec2 inner_local_dx2, inner_local_dy2;
+  layer_element_slots(corners, corners_local_dx, corners_local_dy, alpha2, inner2, inner_local_dx2,
+      inner_local_dy2);
+  float result_dx, result_dy;
+  float sdf_line_value = sdf_line(inner2.local, inner_local_dx2, inner_local_dy2, result_dx,
+      result_dy);
+  float slots_alpha = sdf_fill_plate_mask(sdf_line_value, result_dx, result_dy) * alpha2;
   // heads_mask: multiply (math/multiply.glsl)
-  float heads_mask = heads_color.w * plate_mask;
+  float heads_mask = heads_alpha * plate_mask;
   // screwed: lerp (math/lerp.glsl)
-  vec3 screwed = mix(hung, heads_color.xyz, heads_mask);
+  vec3 screwed = mix(hung, screw_head_value.xyz, heads_mask);
   // slots_mask: multiply (math/multiply.glsl)
-  float slots_mask = slots_color.w * plate_mask;
+  float slots_mask = slots_alpha * plate_mask;
   // slotted: lerp (math/lerp.glsl)
   vec3 slotted = mix(screwed, vec3(0.01), slots_mask);
   // finished: rgba (channels/rgba.glsl)

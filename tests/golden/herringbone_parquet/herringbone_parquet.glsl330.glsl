@@ -8,7 +8,6 @@ uniform vec3 late_wood;  // default vec3(0.2, 0.088, 0.032)
 
 // Types
 struct herringbone_parquet_Tile {
-  ivec2 cell;
   vec2 local;
   vec2 size;
   uint seed;
@@ -48,15 +47,15 @@ void herringbone_parquet_herringbone_grid(vec2 uv, vec2 uv_dx, vec2 uv_dy,
   ivec2 cell2;
   vec2 tile_local_dx2, tile_local_dy2;
   if (phase < 5) {
-    tile2 = herringbone_parquet_Tile(ivec2(0), vec2((float(phase) + inner.x) / 5.0, inner.y),
+    tile2 = herringbone_parquet_Tile(vec2((float(phase) + inner.x) / 5.0, inner.y),
         vec2(0.25, 0.05), 0u);
     cell2 = ivec2(cell.x - phase, cell.y);
     tile_local_dx2 = vec2(p_dx.x / 5.0, p_dx.y);
     tile_local_dy2 = vec2(p_dy.x / 5.0, p_dy.y);
   } else {
     int step_up = 9 - phase;
-    vec2 point = vec2((float(step_up) + inner.y) / 5.0, 1.0 - inner.x);
-    tile2 = herringbone_parquet_Tile(ivec2(0), point, vec2(0.25, 0.05), 0u);
+    tile2 = herringbone_parquet_Tile(vec2((float(step_up) + inner.y) / 5.0, 1.0 - inner.x),
+        vec2(0.25, 0.05), 0u);
     cell2 = ivec2(cell.x, cell.y - step_up);
     tile_local_dx2 = vec2(p_dx.y / 5.0, -p_dx.x);
     tile_local_dy2 = vec2(p_dy.y / 5.0, -p_dy.x);
@@ -71,7 +70,7 @@ void herringbone_parquet_herringbone_grid(vec2 uv, vec2 uv_dx, vec2 uv_dy,
   float least = min(product.x, product.y);
   bool test = product.y < product.x;
   bool test2 = least < 0.0;
-  tile = herringbone_parquet_Tile(cell2, tile2.local, tile2.size,
+  tile = herringbone_parquet_Tile(tile2.local, tile2.size,
       herringbone_parquet_hash(uint(cell2.x)
       + herringbone_parquet_hash(uint(cell2.y) + 2161170183u)));
   edge = max(least, 0.0);

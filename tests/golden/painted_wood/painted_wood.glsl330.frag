@@ -17,7 +17,6 @@ layout(location = 1) out float out_roughness;
 
 // Types
 struct Tile {
-  ivec2 cell;
   vec2 local;
   vec2 size;
   uint seed;
@@ -39,7 +38,7 @@ void brick_grid(vec2 uv, vec2 uv_dx, vec2 uv_dy, out Tile tile, out vec2 tile_lo
   p = vec2(p.x + 0.37 * float(row & 1), p.y);
   vec2 corner = floor(p);
   int column = int(corner.x);
-  tile = Tile(ivec2(column, row), p - corner, vec2(0.14285715, 0.5), hash(uint(column) + row_bits));
+  tile = Tile(p - corner, vec2(0.14285715, 0.5), hash(uint(column) + row_bits));
   tile_local_dx = uv_dx * vec2(7.0, 2.0);
   tile_local_dy = uv_dy * vec2(7.0, 2.0);
 }

@@ -11,7 +11,6 @@ uniform sampler2D wood;
 
 // Types
 struct painted_wood_Tile {
-  ivec2 cell;
   vec2 local;
   vec2 size;
   uint seed;
@@ -33,7 +32,7 @@ void painted_wood_brick_grid(vec2 uv, vec2 uv_dx, vec2 uv_dy, out painted_wood_T
   p = vec2(p.x + 0.37 * float(row & 1), p.y);
   vec2 corner = floor(p);
   int column = int(corner.x);
-  tile = painted_wood_Tile(ivec2(column, row), p - corner, vec2(0.14285715, 0.5),
+  tile = painted_wood_Tile(p - corner, vec2(0.14285715, 0.5),
       painted_wood_hash(uint(column) + row_bits));
   tile_local_dx = uv_dx * vec2(7.0, 2.0);
   tile_local_dy = uv_dy * vec2(7.0, 2.0);

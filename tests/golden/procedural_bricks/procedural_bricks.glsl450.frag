@@ -13,7 +13,6 @@ layout(location = 1) out float out_height;
 
 // Types
 struct Tile {
-  ivec2 cell;
   vec2 local;
   vec2 size;
   uint seed;
@@ -36,7 +35,7 @@ void brick_grid(vec2 uv, vec2 uv_dx, vec2 uv_dy, out Tile tile, out vec2 tile_lo
   p = vec2(p.x + (0.5 * float(row & 1) + product), p.y);
   vec2 corner = floor(p);
   int column = int(corner.x);
-  tile = Tile(ivec2(column, row), p - corner, vec2(0.2, 0.1), hash(uint(column) + row_bits));
+  tile = Tile(p - corner, vec2(0.2, 0.1), hash(uint(column) + row_bits));
   tile_local_dx = uv_dx * vec2(5.0, 10.0);
   tile_local_dy = uv_dy * vec2(5.0, 10.0);
 }
@@ -46,6 +45,39 @@ vec3 random3(uint seed) {
   uint bits = hash(seed);
   vec2 product = vec2(float(bits & 65535u), float(bits >> 16u)) * 1.5258789e-5;
   return vec3(product, float(hash(bits) >> 8u) * 5.9604645e-8);
+}
+
+// coverage, of layer_element (layers/layer_element.glsl)
+float coverage(vec2 q, vec2 cell_in_q, vec2 local, vec2 q_dx, vec2 q_dy, vec2 local_dx,
+    vec2 local_dy) {
+  vec2 density = 1.0 / clamp(sqrt(q_dx * q_dx + q_dy * q_dy), vec2(1e-5), cell_in_q);
+  vec2 share = min((0.5 - abs(q - 0.5)) * density + 0.5, density);
+  vec2 cell_width = clamp(sqrt(local_dx * local_dx + local_dy * local_dy), 1e-5, 1.0);
+  vec2 inside = clamp((0.5 - abs(local - 0.5)) / cell_width + 0.5, 0.5, 1.0);
+  vec2 covered = clamp(share / inside, 0.0, 1.0);
+  return covered.x * covered.y;
+}
+
+// layer_element (layers/layer_element.glsl)
+void layer_element_brick(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy, out float alpha,
+    out Tile inner, out vec2 inner_local_dx, out vec2 inner_local_dy) {
+  uint seed = hash(tile.seed);
+  uint hash_value = hash(seed - 2u);
+  vec2 pose = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
+  float angle = mix(-1.5, 1.5, pose.y) * 0.017453292;
+  float size = mix(0.97, 1.02, pose.x);
+  vec2 across = vec2(tile.size.y, -tile.size.x) / tile.size;
+  vec2 p = tile.local - 0.5;
+  float shrink = 1.0 / size;
+  vec2 point = vec2(cos(angle) * shrink);
+  vec2 product = sin(angle) * shrink * across;
+  vec2 q = point * p + (product * p.yx + 0.5);
+  vec2 q_dx = tile_local_dx * point + tile_local_dx.yx * product;
+  vec2 q_dy = tile_local_dy * point + tile_local_dy.yx * product;
+  alpha = coverage(q, vec2(shrink), tile.local, q_dx, q_dy, tile_local_dx, tile_local_dy);
+  inner = Tile(q, size * tile.size, seed);
+  inner_local_dx = q_dx;
+  inner_local_dy = q_dy;
 }
 
 // hash (random/hash.glsl)
@@ -113,57 +145,9 @@ vec4 brick_face(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
   return face;
 }
 
-// coverage, of layer (layers/layer.glsl)
-float coverage(vec2 q, vec2 cell_in_q, vec2 local, vec2 q_dx, vec2 q_dy, vec2 local_dx,
-    vec2 local_dy) {
-  vec2 density = 1.0 / clamp(sqrt(q_dx * q_dx + q_dy * q_dy), vec2(1e-5), cell_in_q);
-  vec2 share = min((0.5 - abs(q - 0.5)) * density + 0.5, density);
-  vec2 cell_width = clamp(sqrt(local_dx * local_dx + local_dy * local_dy), 1e-5, 1.0);
-  vec2 inside = clamp((0.5 - abs(local - 0.5)) / cell_width + 0.5, 0.5, 1.0);
-  vec2 covered = clamp(share / inside, 0.0, 1.0);
-  return covered.x * covered.y;
-}
-
-// layer (layers/layer.glsl)
-void layer_brick(Tile tile, vec3 tint, vec2 tile_local_dx, vec2 tile_local_dy, out vec4 color,
+// layer_element (layers/layer_element.glsl)
+void layer_element_lime(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy, out float alpha,
     out Tile inner, out vec2 inner_local_dx, out vec2 inner_local_dy) {
-  uint seed = hash(tile.seed);
-  uint hash_value = hash(seed - 2u);
-  vec2 pose = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
-  float angle = mix(-1.5, 1.5, pose.y) * 0.017453292;
-  float size = mix(0.97, 1.02, pose.x);
-  vec2 across = vec2(tile.size.y, -tile.size.x) / tile.size;
-  vec2 p = tile.local - 0.5;
-  float shrink = 1.0 / size;
-  vec2 point = vec2(cos(angle) * shrink);
-  vec2 product = sin(angle) * shrink * across;
-  vec2 q = point * p + (product * p.yx + 0.5);
-  vec2 q_dx = tile_local_dx * point + tile_local_dx.yx * product;
-  vec2 q_dy = tile_local_dy * point + tile_local_dy.yx * product;
-  vec4 color2 = brick_face(q, q_dx, q_dy);
-  float coverage_value = coverage(q, vec2(shrink), tile.local, q_dx, q_dy, tile_local_dx,
-      tile_local_dy);
-  color = vec4(color2.xyz * tint, color2.w * coverage_value);
-  inner = Tile(tile.cell, q, size * tile.size, seed);
-  inner_local_dx = q_dx;
-  inner_local_dy = q_dy;
-}
-
-// circle (patterns/circle.glsl)
-float circle(vec2 uv, float radius, vec2 uv_dx, vec2 uv_dy) {
-  vec2 difference = uv - 0.5;
-  float from_center = length(difference);
-  float greatest = max(from_center, 1e-20);
-  float from_center_dx = dot(difference, uv_dx) / greatest;
-  float from_center_dy = dot(difference, uv_dy) / greatest;
-  float greatest2 = max(sqrt(from_center_dx * from_center_dx + from_center_dy * from_center_dy),
-      1e-7);
-  float width = 0.08 + greatest2;
-  return clamp((radius - from_center) / width + 0.5, 0.0, 1.0);
-}
-
-// layer (layers/layer.glsl)
-vec4 layer_lime(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
   uint seed = hash(tile.seed + 1u);
   uint hash_value = hash(seed - 2u);
   vec2 pose = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
@@ -182,15 +166,41 @@ vec4 layer_lime(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
   vec2 q = product2 * p + (product3 * p.yx + 0.5);
   vec2 q_dx = tile_local_dx * product2 + tile_local_dx.yx * product3;
   vec2 q_dy = tile_local_dy * product2 + tile_local_dy.yx * product3;
-  float circle_value = circle(q, mix(0.08, 0.5, value_noise(q, vec2(7.0), 9, q_dx, q_dy)), q_dx,
-      q_dy);
-  vec4 color = vec4(0.62, 0.58, 0.52, circle_value);
   uint hash_value3 = hash(seed - 3u);
   vec2 luck = vec2(float(hash_value3 & 65535u), float(hash_value3 >> 16u)) * 1.5258789e-5;
-  color = luck.y >= 0.5 ? vec4(0.62, 0.58, 0.52, 0.0) : color;
   float coverage_value = coverage(q, along * shrink, tile.local, q_dx, q_dy, tile_local_dx,
       tile_local_dy);
-  color = vec4(color.xyz, color.w * (mix(0.2, 0.8, luck.x) * coverage_value));
+  float alpha2 = mix(0.2, 0.8, luck.x) * coverage_value;
+  alpha = luck.y >= 0.5 ? 0.0 : alpha2;
+  inner = Tile(q, vec2(size * side), seed);
+  inner_local_dx = q_dx;
+  inner_local_dy = q_dy;
+}
+
+// circle (patterns/circle.glsl)
+float circle(vec2 uv, float radius, vec2 uv_dx, vec2 uv_dy) {
+  vec2 difference = uv - 0.5;
+  float from_center = length(difference);
+  float greatest = max(from_center, 1e-20);
+  float from_center_dx = dot(difference, uv_dx) / greatest;
+  float from_center_dy = dot(difference, uv_dy) / greatest;
+  float greatest2 = max(sqrt(from_center_dx * from_center_dx + from_center_dy * from_center_dy),
+      1e-7);
+  float width = 0.08 + greatest2;
+  return clamp((radius - from_center) / width + 0.5, 0.0, 1.0);
+}
+
+// draw, of layer (layers/layer.glsl)
+vec4 draw(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
+  float alpha;
+  Tile inner;
+  vec2 inner_local_dx, inner_local_dy;
+  layer_element_lime(tile, tile_local_dx, tile_local_dy, alpha, inner, inner_local_dx,
+      inner_local_dy);
+  float value_noise_value = value_noise(inner.local, vec2(7.0), 9, inner_local_dx, inner_local_dy);
+  float circle_value = circle(inner.local, mix(0.08, 0.5, value_noise_value), inner_local_dx,
+      inner_local_dy);
+  vec4 color = vec4(0.62, 0.58, 0.52, circle_value * alpha);
   return color;
 }
 
@@ -212,15 +222,18 @@ void main() {
   // tint: multiply (math/multiply.glsl)
   vec3 tint = shade * clay;
   // brick: layer (layers/layer.glsl)
-  vec4 brick_color;
+  float alpha;
   Tile brick_inner;
   vec2 brick_inner_local_dx, brick_inner_local_dy;
-  layer_brick(grid, tint, grid_local_dx, grid_local_dy, brick_color, brick_inner,
-      brick_inner_local_dx, brick_inner_local_dy);
+  layer_element_brick(grid, grid_local_dx, grid_local_dy, alpha, brick_inner, brick_inner_local_dx,
+      brick_inner_local_dy);
+  vec4 brick_face_value = brick_face(brick_inner.local, brick_inner_local_dx, brick_inner_local_dy);
+  float mask = brick_face_value.w * alpha;
+  vec4 brick_color = vec4(brick_face_value.xyz * tint, mask);
   // lime: layer (layers/layer.glsl)
-  vec4 lime_color = layer_lime(brick_inner, brick_inner_local_dx, brick_inner_local_dy);
+  vec4 lime_color = draw(brick_inner, brick_inner_local_dx, brick_inner_local_dy);
   // face: blend (layers/blend.glsl)
-  vec4 face = blend(lime_color, brick_color, brick_color.w);
+  vec4 face = blend(lime_color, brick_color, mask);
   // sand: value_noise (patterns/value_noise.glsl)
   float sand = value_noise(uv, vec2(220.0), 8, uv_dx, uv_dy);
   // mortar_tone: remap (math/remap.glsl)
@@ -228,5 +241,5 @@ void main() {
   // wall: over (layers/over.glsl)
   vec4 wall = vec4(mix(vec3(mortar_tone), face.xyz, face.w), 1.0);
   out_color = wall;
-  out_height = brick_color.w;
+  out_height = mask;
 }

@@ -8,7 +8,6 @@ uniform float wear;  // default 0.02
 
 // Types
 struct stone_tiles_Tile {
-  ivec2 cell;
   vec2 local;
   vec2 size;
   uint seed;
@@ -30,7 +29,7 @@ void stone_tiles_brick_grid(vec2 uv, vec2 uv_dx, vec2 uv_dy, out stone_tiles_Til
   p = vec2(p.x + 0.5 * float(row & 1), p.y);
   vec2 corner = floor(p);
   int column = int(corner.x);
-  tile = stone_tiles_Tile(ivec2(column, row), p - corner, vec2(0.25, 0.16666667),
+  tile = stone_tiles_Tile(p - corner, vec2(0.25, 0.16666667),
       stone_tiles_hash(uint(column) + row_bits));
   tile_local_dx = uv_dx * vec2(4.0, 6.0);
   tile_local_dy = uv_dy * vec2(4.0, 6.0);

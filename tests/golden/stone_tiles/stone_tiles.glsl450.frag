@@ -14,7 +14,6 @@ layout(location = 1) out float out_height;
 
 // Types
 struct Tile {
-  ivec2 cell;
   vec2 local;
   vec2 size;
   uint seed;
@@ -36,8 +35,7 @@ void brick_grid(vec2 uv, vec2 uv_dx, vec2 uv_dy, out Tile tile, out vec2 tile_lo
   p = vec2(p.x + 0.5 * float(row & 1), p.y);
   vec2 corner = floor(p);
   int column = int(corner.x);
-  tile = Tile(ivec2(column, row), p - corner, vec2(0.25, 0.16666667),
-      hash(uint(column) + row_bits));
+  tile = Tile(p - corner, vec2(0.25, 0.16666667), hash(uint(column) + row_bits));
   tile_local_dx = uv_dx * vec2(4.0, 6.0);
   tile_local_dy = uv_dy * vec2(4.0, 6.0);
 }

@@ -142,7 +142,10 @@ TEST(BlockDocs, Defaults) {
   EXPECT_EQ(default_of("vec3", "time"), "time");
   EXPECT_EQ(default_of("mat2", "mat2(1.0)"),
             "mat2 " + std::to_string(Bits(1.0f)) + " 0 0 " + std::to_string(Bits(1.0f)));
-  EXPECT_EQ(default_of("Tile", "Tile(ivec2(1, 2), vec2(0), vec2(0), 9u)"), "Tile 1 2 0 0 0 0 9");
+  EXPECT_EQ(default_of("Tile",
+                       "Tile(ivec2(1, 2), vec2(0), vec2(0), 9u, vec2(0), vec2(0), vec2(0), "
+                       "vec2(0), vec2(0), vec2(0))"),
+            "Tile 1 2 0 0 0 0 9 0 0 0 0 0 0 0 0 0 0 0 0");
   EXPECT_EQ(default_of("int", "1.5"),
             "x.glsl:3:26: the value must be int, got float [block-doc]\n");
   EXPECT_EQ(default_of("vec3", "vec2(1)"),

@@ -388,9 +388,10 @@ const std::vector<Case>& Cases() {
        {{1}, {2}},
        [](const Floats& v) { return One(12 * v[0] + 60); },
        {4}},
-      {"float w(float v[3], Tile t) { return v[t.cell.x] + t.local.y; }\n"
-       "float x(float a) { Tile t = Tile(ivec2(1, 2), vec2(a), vec2(0), 3u); return w(float[3](a, "
-       "2.0 * a, a), t); }",
+      {"struct Part { ivec2 cell; vec2 local; uint seed; };\n"
+       "float w(float v[3], Part p) { return v[p.cell.x] + p.local.y; }\n"
+       "float x(float a) { Part p = Part(ivec2(1, 2), vec2(a), 3u); return w(float[3](a, "
+       "2.0 * a, a), p); }",
        {{2}},
        [](const Floats& v) { return One(3 * v[0]); }},
       // Built-in functions with more than one operation behind them

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/passes/computed_ports.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace texgraph::passes {
+namespace {
+
+using blocks::Port;
+using blocks::PortKind;
+using graph::BoundPort;
+using graph::CheckedNode;
+using graph::CheckedSubgraph;
+using ir::ConstId;
+using ir::KnownWords;
+
+// The node whose output a port takes, directly or as a function.
+const graph::NodeOutput* SourceNode(const BoundPort& bound) {
+  if (auto* output = std::get_if<graph::NodeOutput>(&bound.source)) return output;
+  if (auto* field = std::get_if<graph::FieldOfNode>(&bound.source)) return &field->source;
+  return nullptr;
+}
+
+std::string NameList(const std::vector<const Port*>& ports) {
+  std::string text;
+  for (size_t i = 0; i < ports.size(); ++i) {
+    const char* separator = i == 0 ? "" : i + 1 == ports.size() ? " and " : ", ";
+    text += fmt::format("{}'{}'", separator, ports[i]->name);
+  }
+  return text;
+}
+
+}  // namespace
+
+ConstId ComputedPorts::TemplateValue(const CheckedSubgraph& subgraph, uint32_t node, size_t port) {
+  const BoundPort& bound = subgraph.nodes[node].inputs[port];
+  if (auto* constant = std::get_if<graph::ConstantValue>(&bound.source)) return constant->value;
+  auto [value, added] = values_.try_emplace({&subgraph, node, port});
+  if (added) value->second = Compute(subgraph, node, port);
+  return value->second;
+}
+
+KnownWords ComputedPorts::KnownPort(const CheckedSubgraph& subgraph, const BoundPort& bound) {
+  const ir::Types& types = module_.types;
+  const bool is_field = types.Kind(bound.type) == ir::TypeKind::kField;
+  const ir::TypeId type = is_field ? types[bound.type].elements[0] : bound.type;
+  if (auto* constant = std::get_if<graph::ConstantValue>(&bound.source)) {
+    return KnownWords::All(module_.Words(constant->value));
+  }
+  if (auto* constant = std::get_if<graph::FieldOfConstant>(&bound.source)) {
+    return KnownWords::All(module_.Words(constant->value));
+  }
+  const graph::NodeOutput* source = SourceNode(bound);
+  if (!source || bound.source_type != type) return KnownWords::Nothing(types.Words(type));
+  FindOutputs(subgraph, *source);
+  return outputs_.at({&subgraph, source->node, source->output});
+}
+
+void ComputedPorts::FindOutputs(const CheckedSubgraph& subgraph, graph::NodeOutput source) {
+  std::vector<graph::NodeOutput> needed, stack{source};
+  while (!stack.empty()) {
+    const graph::NodeOutput next = stack.back();
+    stack.pop_back();
+    if (!outputs_.try_emplace({&subgraph, next.node, next.output}).second) continue;
+    needed.push_back(next);
+    for (const BoundPort& bound : subgraph.nodes[next.node].inputs) {
+      if (const graph::NodeOutput* from = SourceNode(bound)) stack.push_back(*from);
+    }
+  }
+  // Nodes are in an order in which each follows what it needs.
+  std::ranges::sort(needed, {}, &graph::NodeOutput::node);
+  for (graph::NodeOutput next : needed) {
+    outputs_[{&subgraph, next.node, next.output}] = OutputOf(subgraph, next);
+  }
+}
+
+KnownWords ComputedPorts::OutputOf(const CheckedSubgraph& subgraph, graph::NodeOutput source) {
+  const CheckedNode& node = subgraph.nodes[source.node];
+  const ir::TypeId type =
+      node.block ? node.overload->outputs[source.output].type
+                 : module_[graph_functions_[node.function]].results[source.output].type;
+  const KnownWords nothing = KnownWords::Nothing(module_.types.Words(type));
+  std::vector<ConstId> template_values;
+  std::vector<KnownWords> arguments;
+  for (size_t i = 0; i < node.inputs.size(); ++i) {
+    if (node.block && node.overload->inputs[i].kind == PortKind::kTemplate) {
+      template_values.push_back(TemplateValue(subgraph, source.node, i));
+      if (!template_values.back()) return nothing;
+    } else {
+      arguments.push_back(KnownPort(subgraph, node.inputs[i]));
+    }
+  }
+  const ir::FunctionId function =
+      node.block ? library_.Function(*node.block, *node.overload, template_values)
+                 : graph_functions_[node.function];
+  if (!function) return nothing;
+  return ir::FindKnownResult(module_, function, std::move(arguments), source.output);
+}
+
+ConstId ComputedPorts::Compute(const CheckedSubgraph& subgraph, uint32_t index, size_t port_index) {
+  const CheckedNode& node = subgraph.nodes[index];
+  const std::vector<Port>& ports = node.overload->inputs;
+  const Port& port = ports[port_index];
+  const blocks::Block* block = library_.Find(port.computed_by);
+  if (!block) return port.default_value;
+  const blocks::Overload& overload = block->overloads[0];
+  std::vector<ConstId> template_values;
+  std::vector<KnownWords> arguments;
+  std::vector<const Port*> from, unknown;
+  for (const Port& input : overload.inputs) {
+    auto own = std::ranges::find(ports, input.name, &Port::name);
+    if (own == ports.end()) return port.default_value;
+    const auto i = static_cast<size_t>(own - ports.begin());
+    if (own->kind == PortKind::kTemplate) {
+      template_values.push_back(TemplateValue(subgraph, index, i));
+      if (!template_values.back()) return {};
+      continue;
+    }
+    arguments.push_back(KnownPort(subgraph, node.inputs[i]));
+    const bool is_value = ir::IsVector(input.type);
+    if (is_value) from.push_back(&*own);
+    if (is_value && !arguments.back().IsWhole()) unknown.push_back(&*own);
+  }
+  const ir::FunctionId function = library_.Function(*block, overload, template_values);
+  if (!function) return {};
+  const KnownWords result = ir::FindKnownResult(module_, function, std::move(arguments), 0);
+  if (result.IsWhole()) {
+    const ConstId value = module_.Intern(port.type, result.words);
+    return IsInRange(node, port, value, from) ? value : ConstId();
+  }
+  diagnostics_.Warn(
+      DiagnosticKind::kNotComputed, node.node->range,
+      fmt::format("port '{}' of node '{}' keeps its default, since {} not known when the shader is "
+                  "made; give it a value",
+                  port.name, node.node->name,
+                  unknown.empty()       ? "the tile's grid is"
+                  : unknown.size() == 1 ? NameList(unknown) + " is"
+                                        : NameList(unknown) + " are"));
+  return port.default_value;
+}
+
+bool ComputedPorts::IsInRange(const CheckedNode& node, const Port& port, ConstId value,
+                              const std::vector<const Port*>& from) {
+  const double number = static_cast<int32_t>(module_.Words(value)[0]);
+  if (!port.maximum || number <= *port.maximum) return true;
+  diagnostics_
+      .Error(
+          DiagnosticKind::kComputedRange, node.node->range,
+          fmt::format("port '{}' of node '{}' would have to be {}, and is at most {}; it follows "
+                      "from {}",
+                      port.name, node.node->name, number, *port.maximum, NameList(from)))
+      .AddNote(node.node->range, port.advice)
+      .AddNote(port.range, "the port is declared here");
+  return false;
+}
+
+}  // namespace texgraph::passes
