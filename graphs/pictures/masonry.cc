@@ -137,8 +137,12 @@ Surface MortarSurface(Point p) {
 
 }  // namespace
 
-Picture MakeBrick() { return Paint(512, 256, true, {BrickHeight, BrickSurface, 1.0}); }
+Picture MakeBrick(int height) {
+  return Paint(2 * height, height, true, {BrickHeight, BrickSurface, 1.0});
+}
 
-Picture MakeMortar() { return Paint(256, 256, false, {MortarHeight, MortarSurface, 1.0}); }
+Picture MakeMortar(int height) {
+  return Paint(height, height, false, {MortarHeight, MortarSurface, 1.0});
+}
 
 }  // namespace texgraph::pictures

@@ -54,8 +54,14 @@ Picture Paint(int width, int height, bool has_alpha, const Painter& painter) {
 
 std::vector<NamedPicture> Pictures() {
   return {
-      {"brick_wall/brick.png", MakeBrick}, {"brick_wall/mortar.png", MakeMortar},
-      {"brick_wall/moss.png", MakeMoss},   {"brick_wall/soot.png", MakeSoot},
+      {"brick_wall/brick.png", [] { return MakeBrick(256); }},
+      {"brick_wall/mortar.png", [] { return MakeMortar(256); }},
+      {"brick_wall/moss.png", [] { return MakeMoss(256); }},
+      {"brick_wall/soot.png", MakeSoot},
+      {"first_wall/brick.png", [] { return MakeBrick(128); }},
+      {"first_wall/leaf_on_black.png", MakeLeafOnBlack},
+      {"first_wall/mortar.png", [] { return MakeMortar(128); }},
+      {"first_wall/moss.png", [] { return MakeMoss(128); }},
       {"painted_wood/wood.png", MakeWood},
   };
 }

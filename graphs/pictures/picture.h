@@ -50,10 +50,11 @@ struct NamedPicture {
 // All of them.
 std::vector<NamedPicture> Pictures();
 
-Picture MakeBrick();
-Picture MakeMortar();
-Picture MakeMoss();
+Picture MakeBrick(int height);
+Picture MakeMortar(int height);
+Picture MakeMoss(int height);
 Picture MakeSoot();
 Picture MakeWood();
+Picture MakeLeafOnBlack();
 
 }  // namespace texgraph::pictures

@@ -52,7 +52,7 @@ Surface SootSurface(Point p) {
 
 }  // namespace
 
-Picture MakeMoss() { return Paint(256, 256, true, {MossHeight, MossSurface, 0.7}); }
+Picture MakeMoss(int height) { return Paint(height, height, true, {MossHeight, MossSurface, 0.7}); }
 
 Picture MakeSoot() { return Paint(256, 256, true, {SootHeight, SootSurface, 0}); }
 

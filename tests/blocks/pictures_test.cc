@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <png.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -55,7 +56,8 @@ TEST(PicturesTest, FilesAreSmall) {
 
 // The step from the last row or column to the first is like the steps inside.
 TEST(PicturesTest, MortarAndWoodRepeatWithoutASeam) {
-  for (const char* name : {"brick_wall/mortar.png", "painted_wood/wood.png"}) {
+  for (const char* name :
+       {"brick_wall/mortar.png", "first_wall/mortar.png", "painted_wood/wood.png"}) {
     SCOPED_TRACE(name);
     Picture picture = ReadPng(std::string(TEXGRAPH_SOURCE_DIR) + "/graphs/" + name);
     ASSERT_FALSE(picture.has_alpha);
@@ -98,6 +100,27 @@ TEST(PicturesTest, BordersOfLayersAreTransparent) {
       opaque += alpha(0, y) > 0 || alpha(picture.width - 1, y) > 0;
     }
     EXPECT_EQ(opaque, 0) << named.path;
+  }
+}
+
+// What a colour key takes away is there to be taken: black all around, and no hole in the leaf.
+TEST(PicturesTest, TheLeafLiesOnBlack) {
+  Picture picture =
+      ReadPng(std::string(TEXGRAPH_SOURCE_DIR) + "/graphs/first_wall/leaf_on_black.png");
+  ASSERT_FALSE(picture.has_alpha);
+  auto brightest = [&](int x, int y) {
+    const uint8_t* p = &picture.pixels[3 * (static_cast<size_t>(y) * picture.width + x)];
+    return std::max({p[0], p[1], p[2]});
+  };
+  for (int y = picture.height / 2; y < picture.height / 2 + 8; ++y) {
+    int changes = 0;  // from black to the leaf, and back
+    for (int x = 1; x < picture.width; ++x)
+      changes += (brightest(x, y) > 13) != (brightest(x - 1, y) > 13);
+    EXPECT_EQ(changes, 2) << y;
+  }
+  for (int i = 0; i < picture.width; ++i) {
+    EXPECT_EQ(brightest(i, 0) | brightest(i, picture.height - 1), 0) << i;
+    EXPECT_EQ(brightest(0, i) | brightest(picture.width - 1, i), 0) << i;
   }
 }
 
