@@ -99,8 +99,10 @@ set(TEXGRAPH_STDLIB_BLOCKS
   tiles/mortar.glsl
   tiles/octagon_square_grid.glsl
   tiles/random_length_grid.glsl
+  tiles/tile_center.glsl
   tiles/tile_choice.glsl
   tiles/tile_distance.glsl
+  tiles/tile_image.glsl
   tiles/tile_parts.glsl
   tiles/tile_random.glsl
   tiles/tile_random_color.glsl

@@ -303,5 +303,76 @@ TEST(MortarTest, WidthIsConstantInTextureSpace) {
   }
 }
 
+// The frame's middle is one place for all points of a tile, also where the frame is turned, and it
+// lies in the tile.
+TEST(TileCenterTest, IsOnePlaceForEachTile) {
+  for (const char* grid : {"brick_grid", "herringbone_grid", "octagon_square_grid", "hexagon_grid",
+                           "triangle_grid", "basket_weave_grid", "flemish_grid"}) {
+    std::vector<Point> points;
+    for (const Vector& p : Lattice(-1, 1, 50)) points.push_back({p[0], p[1]});
+    auto outputs = RunGraph(R"({"texgraph": 1, "nodes": {
+        "grid": {"block": ")" + std::string(grid) +
+                                R"("},
+        "parts": {"block": "tile_parts", "in": {"tile": "grid.tile"}},
+        "number": {"block": "tile_random", "in": {"tile": "grid.tile"}},
+        "center": {"block": "tile_center", "in": {"tile": "grid.tile"}},
+        "there": {"block": ")" + std::string(grid) +
+                                R"(", "in": {"uv": "center"}},
+        "same": {"block": "tile_random", "in": {"tile": "there.tile"}},
+        "c": {"block": "components", "in": {"vector": "center"}},
+        "told": {"block": "combine4", "in": {"x": "c.x", "y": "c.y", "z": "number", "w": "same"}}},
+      "outputs": {"color": "told"}})",
+                            points, {1e-4, 1e-4});
+    ASSERT_EQ(outputs.size(), 1u) << grid;
+    const Values& color = outputs["color"];
+    std::map<float, Point> centers;
+    for (size_t i = 0; i < points.size(); ++i) {
+      // A triangle's frame has its middle inside as well.
+      EXPECT_EQ(color.Float(i, 2), color.Float(i, 3)) << grid;
+      const Point center{color.Float(i, 0), color.Float(i, 1)};
+      auto [known, is_new] = centers.emplace(color.Float(i, 2), center);
+      EXPECT_NEAR(known->second.x, center.x, 1e-5) << grid;
+      EXPECT_NEAR(known->second.y, center.y, 1e-5) << grid;
+    }
+    EXPECT_GT(centers.size(), 20u) << grid;
+  }
+}
+
+// A mask of where elements are: each tile is there or not as a whole, as often as the mask says.
+TEST(TileImageTest, MasksWholeTiles) {
+  const std::string graph = R"({"texgraph": 1, "textures": {"mask": {"file": "moss.png"}},
+    "nodes": {
+      "grid": {"block": "brick_grid", "in": {"rows": 16, "columns": 16}},
+      "map": {"block": "tile_image", "in": {"picture": "mask", "tile": "grid"}},
+      "share": {"block": "channel", "in": {"color": "map", "name": "a"}},
+      "layer": {"block": "layer", "in": {"tile": "grid", "image": [1, 1, 1, 1], "chance": "share"}},
+      "there": {"block": "channel", "in": {"color": "layer.color", "name": "a"}}},
+    "outputs": {"height": "share", "opacity": "there"}})";
+  std::vector<Point> points;
+  // Several points of each of 256 tiles.
+  for (int i = 0; i < 4096; ++i) {
+    const int column = i % 16, row = i / 16 % 16, place = i / 256;
+    const double shift = 0.5 * (row & 1);
+    points.push_back(
+        {(column + 0.1 + 0.2 * (place % 4) - shift) / 16, (row + 0.1 + 0.2 * (place / 4)) / 16});
+  }
+  auto outputs = RunGraph(graph, points, {1e-4, 1e-4});
+  ASSERT_EQ(outputs.size(), 2u);
+  double wanted = 0, drawn = 0;
+  float low = 1, high = 0;
+  for (int i = 0; i < 4096; ++i) {
+    EXPECT_NEAR(outputs["height"].Float(i), outputs["height"].Float(i % 256), 1e-3);
+    EXPECT_EQ(outputs["opacity"].Float(i), outputs["opacity"].Float(i % 256));
+    if (i >= 256) continue;
+    wanted += outputs["height"].Float(i);
+    drawn += outputs["opacity"].Float(i);
+    low = std::min(low, outputs["height"].Float(i));
+    high = std::max(high, outputs["height"].Float(i));
+  }
+  EXPECT_LT(low, 0.1);
+  EXPECT_GT(high, 0.5);
+  EXPECT_NEAR(drawn, wanted, 5 * std::sqrt(256 * 0.25));
+}
+
 }  // namespace
 }  // namespace texgraph::blocks
