@@ -18,9 +18,11 @@ const int ALPHA_PREMULTIPLIED = 1;
 /// turned or mirrored, what has a direction itself, a normal say, turns with it.
 /// pitch: how far apart the grid's columns and rows are, in texture space; 0 if the grid cannot
 /// show its neighbours.
+/// smallest: the least width and height of a tile of the grid; 0 in a layer's frame.
 /// largest, drift, tilt: what the frame can be in any tile of the grid, whatever is drawn at random:
 /// its greatest width and height, the greatest distance of its middle from the middle of the grid's
-/// tile, both in texture space, and the greatest |cos| and |sin| of its angle there. From these
+/// tile, both in texture space, and the greatest |cos| and |sin| of its angle there. A grid whose
+/// tiles are not all alike gives as drift how much nearer than a pitch its tiles can be. From these
 /// `layer_neighbours` knows how far an element can reach.
 ///
 /// A layer gives a tile as well, its own frame, in which `local` may lie outside the unit square.
@@ -32,6 +34,7 @@ struct Tile {
   vec2 right;
   vec2 up;
   vec2 pitch;
+  vec2 smallest;
   vec2 largest;
   vec2 drift;
   vec2 tilt;

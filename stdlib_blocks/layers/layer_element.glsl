@@ -144,6 +144,7 @@ void layer_element(Tile tile, vec2 position_min, vec2 position_max, vec2 scale, 
   inner.right = vec2(to_x.x, to_y.x);
   inner.up = vec2(to_x.y, to_y.y);
   inner.pitch = tile.pitch;
+  inner.smallest = vec2(0.0);
   inner.drift = drift;
   inner.tilt = tilt;
 
@@ -151,6 +152,7 @@ void layer_element(Tile tile, vec2 position_min, vec2 position_max, vec2 scale, 
   inner_position = tile;
   inner_position.local = p + 0.5;
   inner_position.seed = seed;
+  inner_position.smallest = vec2(0.0);
   inner_position.drift = drift;
 
   inner_rotation = tile;
@@ -158,6 +160,7 @@ void layer_element(Tile tile, vec2 position_min, vec2 position_max, vec2 scale, 
       cos(angle) * from_middle +
       (sin(angle) * vec2(tile.size.y, -tile.size.x) / tile.size * from_middle.yx + 0.5);
   inner_rotation.seed = seed;
+  inner_rotation.smallest = vec2(0.0);
   inner_rotation.right = right;
   inner_rotation.up = up;
   inner_rotation.tilt = tilt;
@@ -166,6 +169,7 @@ void layer_element(Tile tile, vec2 position_min, vec2 position_max, vec2 scale, 
   inner_scale.local = into * from_middle + 0.5;
   inner_scale.size = size * vec2(1.0, ratio) * tile.size;
   inner_scale.seed = seed;
+  inner_scale.smallest = vec2(0.0);
   inner_scale.largest = most * tile.largest;
 
   vec2 luck = random2(seed, -3);

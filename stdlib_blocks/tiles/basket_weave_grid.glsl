@@ -43,6 +43,7 @@ void basket_weave_grid(vec2 uv, int rows, int columns, int bricks, int seed, con
   tile.cell = ivec2(block.x * bricks + int(number), block.y);
   tile.seed = hash(tile.cell, uint(seed));
   tile.pitch = vec2(0.0);
+  tile.smallest = vec2(0.0);
   tile.largest = vec2(0.0);
   tile.drift = vec2(0.0);
   tile.tilt = vec2(0.0);

@@ -41,6 +41,7 @@ void brick_grid(vec2 uv, int rows, int columns, float row_offset, float row_jitt
   tile.right = vec2(1.0, 0.0);
   tile.up = vec2(0.0, 1.0);
   tile.pitch = tile.size;
+  tile.smallest = tile.size;
   tile.largest = tile.size;
   tile.drift = vec2(0.0);
   tile.tilt = vec2(1.0, 0.0);

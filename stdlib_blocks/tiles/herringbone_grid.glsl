@@ -49,6 +49,7 @@ void herringbone_grid(vec2 uv, int rows, int columns, int ratio, int seed, const
   tile.cell = cell;
   tile.seed = hash(cell, uint(seed));
   tile.pitch = vec2(0.0);
+  tile.smallest = vec2(0.0);
   tile.largest = vec2(0.0);
   tile.drift = vec2(0.0);
   tile.tilt = vec2(0.0);

@@ -49,6 +49,7 @@ void hexagon_grid(vec2 uv, int rows, int columns, int seed, const bool toroidal,
   tile.right = vec2(1.0, 0.0);
   tile.up = vec2(0.0, 1.0);
   tile.pitch = 1.0 / cells;
+  tile.smallest = tile.size;
   tile.largest = tile.size;
   // The hexagon itself is a third higher than the rows are apart.
   tile.drift = vec2(0.0, 1.0 / 6.0) / cells;

@@ -35,6 +35,7 @@ void octagon_square_grid(vec2 uv, int rows, int columns, float corner, int seed,
   tile.cell = ivec2(2 * cell.x + (is_square ? 1 : 0), cell.y);
   tile.seed = hash(tile.cell, uint(seed));
   tile.pitch = vec2(0.0);
+  tile.smallest = vec2(0.0);
   tile.largest = vec2(0.0);
   tile.drift = vec2(0.0);
   tile.tilt = vec2(0.0);

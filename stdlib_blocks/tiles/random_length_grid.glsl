@@ -5,14 +5,21 @@ float moved_border(float index, int cell, float variation, uint bits) {
   return index + variation * (random(bits + uint(cell), -2) - 0.5);
 }
 
-// Which cell of such a line the point is in, and where that begins and ends. The nearest whole
-// number is the only border that can be on either side of the point.
-int find_cell(float p, int count, float variation, uint bits, const bool toroidal, out float low,
-              out float high) {
+// Which cell of such a line the point is in, or that many cells further, and where that begins and
+// ends. The nearest whole number is the only border that can be on either side of the point.
+int find_cell(float p, int count, float variation, uint bits, const bool toroidal, int further,
+              out float low, out float high) {
   float index = floor(p + 0.5);
   int cell = int(index);
   float middle = moved_border(index, toroidal ? wrap_cell(cell, count) : cell, variation, bits);
   bool is_before = p < middle;
+  if (further != 0) {
+    int there = cell + further - (is_before ? 1 : 0);
+    int next = there + 1;
+    low = moved_border(float(there), toroidal ? wrap_cell(there, count) : there, variation, bits);
+    high = moved_border(float(next), toroidal ? wrap_cell(next, count) : next, variation, bits);
+    return toroidal ? wrap_cell(there, count) : there;
+  }
   int other = is_before ? cell - 1 : cell + 1;
   float far =
       moved_border(float(other), toroidal ? wrap_cell(other, count) : other, variation, bits);
@@ -43,12 +50,15 @@ int find_cell(float p, int count, float variation, uint bits, const bool toroida
 /// @param toroidal whether the bricks repeat with each unit of the coordinate, for a texture
 ///   without a border; with an odd number of rows the last and the first are not offset from each
 ///   other @default false
+/// @param neighbour the brick that many columns and rows further is given, instead of the one that
+///   the point is in; `layer` asks for it @default neighbour
 /// @param tile the brick
 /// @param edge distance to the border of the brick, in texture space
 /// @param spacing how far joints are from each other, for `joint`
 void random_length_grid(vec2 uv, int rows, int columns, float length_variation,
                         float height_variation, float row_offset, float row_jitter, int seed,
-                        const bool toroidal, out Tile tile, out float edge, out float spacing) {
+                        const bool toroidal, ivec2 neighbour, out Tile tile, out float edge,
+                        out float spacing) {
   vec2 cells = vec2(columns, rows);
   vec2 p = uv * cells;
   vec2 low;
@@ -56,24 +66,30 @@ void random_length_grid(vec2 uv, int rows, int columns, float length_variation,
   float from;
   float to;
   uint bits = hash(uint(seed));
-  int row = find_cell(p.y, rows, height_variation, bits, toroidal, from, to);
+  int row = find_cell(p.y, rows, height_variation, bits, toroidal, neighbour.y, from, to);
   low.y = from;
   high.y = to;
   uint row_bits = hash(uint(row) + bits);
   p.x += row_offset * float(row & 1) + row_jitter * random(row_bits, -1);
-  int column = find_cell(p.x, columns, length_variation, row_bits, toroidal, from, to);
+  int column =
+      find_cell(p.x, columns, length_variation, row_bits, toroidal, neighbour.x, from, to);
   low.x = from;
   high.x = to;
   tile.cell = ivec2(column, row);
-  tile.local = clamp((p - low) / (high - low), 0.0, 1.0);
+  tile.local = (p - low) / (high - low);
+  if (neighbour.x == 0 && neighbour.y == 0) {
+    tile.local = clamp(tile.local, 0.0, 1.0);
+  }
   tile.size = (high - low) / cells;
   tile.seed = hash(uint(column) + row_bits);
   tile.right = vec2(1.0, 0.0);
   tile.up = vec2(0.0, 1.0);
-  tile.pitch = vec2(0.0);
-  tile.largest = vec2(0.0);
-  tile.drift = vec2(0.0);
-  tile.tilt = vec2(0.0);
+  vec2 variation = vec2(length_variation, height_variation);
+  tile.pitch = 1.0 / cells;
+  tile.smallest = (1.0 - variation) / cells;
+  tile.largest = (1.0 + variation) / cells;
+  tile.drift = variation / cells;
+  tile.tilt = vec2(1.0, 0.0);
   edge = tile_distance(tile);
   spacing = 2.0 / (cells.x + cells.y);
 }

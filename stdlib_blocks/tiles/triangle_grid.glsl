@@ -45,6 +45,7 @@ void triangle_grid(vec2 uv, int rows, int columns, int seed, const bool toroidal
   tile.right = vec2(way, 0.0);
   tile.up = vec2(0.0, way);
   tile.pitch = vec2(0.0);
+  tile.smallest = vec2(0.0);
   tile.largest = vec2(0.0);
   tile.drift = vec2(0.0);
   tile.tilt = vec2(0.0);

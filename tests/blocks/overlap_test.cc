@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <tuple>
 
 #include "tests/blocks/layer_reference.h"
 #include "tests/blocks/reference.h"
@@ -153,6 +154,58 @@ TEST(OverlapTest, OtherPortsAreThoseOfTheElementsTile) {
     // tile_random with stream 4
     const double tone = reference::Unit24(reference::Pcg(seed + 4));
     ASSERT_NEAR(outputs["color"].Float(i, 0), tone, 1e-5) << points[i].x << " " << points[i].y;
+  }
+}
+
+// On grids of bricks of several lengths, against what the grid itself says of tiles farther around.
+TEST(OverlapTest, TilesOfAllLengthsAreFound) {
+  const std::vector<Point> points = Scatter(300);
+  const char* const kRanges =
+      R"("position_min": [-0.3, 0.1], "position_max": [1.2, 1.0], "scale": [0.3, 0.8], "rotation": [-40, 70])";
+  for (
+      const char* grid :
+      {R"("random_length_grid", "in": {"length_variation": 0.8, "rows": 5)",
+       R"("random_length_grid", "in": {"length_variation": 0.3, "height_variation": 0.7, "toroidal": true)",
+       R"("flemish_grid", "in": {"header": 0.25)",
+       R"("flemish_grid", "in": {"header": 0.9, "toroidal": true)"}) {
+    auto drawn = [&](const std::string& ports) {
+      auto outputs =
+          RunGraph(R"({"texgraph": 1, "nodes": {"grid": {"block": )" + std::string(grid) + R"(}},
+        "layer": {"block": "layer", "in": {"tile": "grid.tile", "image": "where", )" +
+                       kRanges + ports + R"(}}},
+      "functions": {"where": {"inputs": {"uv": "vec2"}, "nodes": {
+          "p": {"block": "components", "in": {"vector": "uv"}},
+          "c": {"block": "combine4", "in": {"x": "p.x", "y": "p.y"}}}, "outputs": {"color": "c"}}},
+      "outputs": {"color": "layer.color"}})",
+                   points, {1e-4, 1e-4}, 1e-2);
+      return outputs["color"];
+    };
+    const Values own = drawn(""), most = drawn(R"(, "neighbours": 3)");
+    const Values cut = drawn(R"(, "neighbours": 0)");
+    int covered = 0, lost = 0;
+    for (size_t i = 0; i < points.size(); ++i) {
+      ASSERT_EQ(own.Float(i, 3), most.Float(i, 3)) << grid;
+      if (own.Float(i, 3) > 0.5) ASSERT_NEAR(own.Float(i, 0), most.Float(i, 0), 1e-5) << grid;
+      covered += own.Float(i, 3) > 0.5;
+      lost += own.Float(i, 3) > cut.Float(i, 3) + 0.5;
+    }
+    EXPECT_GT(covered, 60) << grid;
+    EXPECT_GT(lost, 10) << grid;
+  }
+}
+
+// An element that stays in its tile is no reason to look at others, however short tiles can be.
+TEST(LayerNeighboursTest, StayingInsideNeedsNone) {
+  for (auto [scale, rotation, wanted] : {std::tuple{1.0, 0.0, 0}, {1.1, 0.0, 1}, {0.3, 90.0, 0}}) {
+    auto outputs =
+        RunGraph(R"({"texgraph": 1, "nodes": {
+        "grid": {"block": "random_length_grid", "in": {"rows": 4, "columns": 4}},
+        "number": {"block": "layer_neighbours", "in": {"tile": "grid.tile", "scale": )" +
+                     std::to_string(scale) + R"(, "rotation": )" + std::to_string(rotation) + R"(}},
+        "n": {"block": "to_float", "in": {"value": "number"}}}, "outputs": {"height": "n"}})",
+                 {{0.3, 0.4}}, {1e-4, 1e-4});
+    ASSERT_EQ(outputs.size(), 1u);
+    EXPECT_EQ(outputs["height"].Float(0), wanted) << scale;
   }
 }
 

@@ -144,8 +144,8 @@ TEST(BlockDocs, Defaults) {
             "mat2 " + std::to_string(Bits(1.0f)) + " 0 0 " + std::to_string(Bits(1.0f)));
   EXPECT_EQ(default_of("Tile",
                        "Tile(ivec2(1, 2), vec2(0), vec2(0), 9u, vec2(0), vec2(0), vec2(0), "
-                       "vec2(0), vec2(0), vec2(0))"),
-            "Tile 1 2 0 0 0 0 9 0 0 0 0 0 0 0 0 0 0 0 0");
+                       "vec2(0), vec2(0), vec2(0), vec2(0))"),
+            "Tile 1 2 0 0 0 0 9 0 0 0 0 0 0 0 0 0 0 0 0 0 0");
   EXPECT_EQ(default_of("int", "1.5"),
             "x.glsl:3:26: the value must be int, got float [block-doc]\n");
   EXPECT_EQ(default_of("vec3", "vec2(1)"),
