@@ -51,7 +51,7 @@ constexpr char kTextures[] =
     R"({"texgraph": 1, "textures": {"mortar": {"file": "mortar.png"}}, "nodes": {"n": )";
 
 TEST(ImageTest, GivesTheTexelsOfThePicture) {
-  pictures::Picture mortar = pictures::MakeMortar();
+  pictures::Picture mortar = pictures::MakeMortar(256);
   std::vector<Point> points;
   std::vector<std::pair<int, int>> texels = {{0, 0}, {255, 255}, {17, 201}, {128, 3}};
   for (auto [x, y] : texels) {
@@ -73,7 +73,7 @@ TEST(ImageTest, GivesTheTexelsOfThePicture) {
 
 // Layer 0, layer 1, and the last one for a number beyond it.
 TEST(ImageTest, GivesTheLayersOfAnArray) {
-  const std::array<pictures::Picture, 2> layers = {pictures::MakeMoss(), pictures::MakeSoot()};
+  const std::array<pictures::Picture, 2> layers = {pictures::MakeMoss(256), pictures::MakeSoot()};
   const std::vector<std::pair<int, int>> texels = {{0, 0}, {255, 255}, {17, 201}, {128, 3}};
   std::vector<Point> points;
   for (auto [x, y] : texels) points.push_back({(x + 0.5) / 256, (y + 0.5) / 256});
@@ -96,7 +96,7 @@ TEST(ImageTest, GivesTheLayersOfAnArray) {
 
 // Pictures stand side by side: three to a unit and moved by a quarter picture to the right.
 TEST(TiledImageTest, RepeatsAndMoves) {
-  pictures::Picture mortar = pictures::MakeMortar();
+  pictures::Picture mortar = pictures::MakeMortar(256);
   std::vector<Point> points;
   std::vector<std::pair<int, int>> texels = {{5, 9}, {250, 130}};
   for (int n = -1; n < 3; ++n) {
