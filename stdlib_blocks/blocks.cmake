@@ -34,6 +34,13 @@ set(TEXGRAPH_STDLIB_BLOCKS
   layers/layer_element.glsl
   layers/layer_neighbours.glsl
   layers/over.glsl
+  materials/combine_normals.glsl
+  materials/material.glsl
+  materials/material_layer.glsl
+  materials/material_over.glsl
+  materials/material_parts.glsl
+  materials/normal_map.glsl
+  materials/turn_normal.glsl
   math/absolute.glsl
   math/add.glsl
   math/clamp_range.glsl

@@ -39,3 +39,19 @@ struct Tile {
   vec2 drift;
   vec2 tilt;
 };
+
+/// A surface at one point, all of its channels on one wire.
+///
+/// color: linear light, straight alpha. Its alpha is the surface's opacity.
+/// normal: of length 1, in texture space: x to where u grows, y to where v grows, z out of the
+/// surface. (0, 0, 1) is flat.
+/// height: over the surface's own level, in the unit that the graph chooses.
+/// roughness: from 0, a mirror, to 1.
+/// metallic: 1 for metal, 0 for what is none.
+struct Material {
+  vec4 color;
+  vec3 normal;
+  float height;
+  float roughness;
+  float metallic;
+};

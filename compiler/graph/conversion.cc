@@ -33,6 +33,10 @@ const Converter kConverters[] = {
     {"Tile", "float", {"tile_random", "tile_distance"}},
     {"Tile", "vec2", {"tile_uv"}},
     {"Tile", "vec3", {"tile_random_color"}},
+    {"Material", "float", {"material_parts"}},
+    {"Material", "vec3", {"material_parts"}},
+    {"Material", "vec4", {"material_parts"}},
+    {"vec4", "Material", {"material"}},
 };
 
 }  // namespace
