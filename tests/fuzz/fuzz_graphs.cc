@@ -70,6 +70,7 @@ class Fuzzer {
       std::filesystem::remove(current_);
     } else {
       fmt::print("seed {}, {}:\n{}\n\n", seed, current_, what.substr(0, 4000));
+      current_.clear();
       std::fflush(stdout);
     }
   }

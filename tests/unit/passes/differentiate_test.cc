@@ -254,6 +254,11 @@ TEST(DifferentiateTest, JumpsHaveTheDerivativeBetweenThem) {
       [](ir::Builder& b, ValueId uv) { return b.Op2(Op::kMax, Y(b, uv), b.Float(7)); });
   ExpectDerivative(
       [](ir::Builder& b, ValueId uv) { return b.Op3(Op::kClamp, uv, b.Float(-9), b.Float(9)); });
+  // It is the upper limit where the lower one is above it.
+  ExpectDerivative([](ir::Builder& b, ValueId uv) {
+    ValueId high = b.Op2(Op::kSub, b.Op2(Op::kMul, Y(b, uv), b.Float(2)), b.Float(9));
+    return b.Op3(Op::kClamp, X(b, uv), Y(b, uv), high);
+  });
   ExpectDerivative(
       [](ir::Builder& b, ValueId uv) { return b.Op1(Op::kAbs, b.Op2(Op::kSub, uv, b.Float(4))); });
 }
