@@ -23,10 +23,15 @@ class Narrower {
  private:
   void FindStructs();
   void FindReached();
+  void FindAllReads();
   void FindReads(const ir::Function& function);
   void Mark(ValueId v);
   void Visit(const ir::Function& function, ValueId v);
+  void KeepOneMember();
   void DecideWhatStays();
+  bool IsDropped(const ir::Function& function, const ir::Inst& inst) const;
+  // The values that were only read for members that are gone.
+  void DropUnread(ir::Function& function);
   // Whether the function makes values of a narrowed type.
   bool Rewrite(ir::Function& function);
   void NarrowConstruct(ir::Function& function, ir::Inst& inst);
@@ -108,13 +113,28 @@ void Narrower::FindReads(const ir::Function& function) {
   }
 }
 
+void Narrower::FindAllReads() {
+  while (std::exchange(grown_, false)) {
+    for (size_t f = 0; f < module_.functions.size(); ++f) {
+      if (reached_[f]) FindReads(module_.functions[f]);
+    }
+  }
+}
+
+// One member stays in each struct, and what goes into that one is read then.
+void Narrower::KeepOneMember() {
+  for (TypeId type : structs_) {
+    std::vector<bool>& read = read_[type.index];
+    if (std::ranges::find(read, true) == read.end()) read[0] = grown_ = true;
+  }
+}
+
 void Narrower::DecideWhatStays() {
   const size_t count = module_.types.size();
   new_index_.resize(count);
   holds_.resize(count);
   for (TypeId type : structs_) {
     std::vector<bool>& read = read_[type.index];
-    if (std::ranges::find(read, true) == read.end()) read[0] = true;
     if (std::ranges::find(read, false) == read.end()) continue;
     uint32_t next = 0;
     for (bool stays : read) new_index_[type.index].push_back(stays ? next++ : kDropped);
@@ -155,7 +175,24 @@ void Narrower::NarrowConstruct(ir::Function& function, ir::Inst& inst) {
   inst.operand_count = stays;
 }
 
+bool Narrower::IsDropped(const ir::Function& function, const ir::Inst& inst) const {
+  if (inst.op != Op::kExtract) return false;
+  const TypeId whole = function[function.Operands(inst)[0]].type;
+  return IsNarrowed(whole) && new_index_[whole.index][inst.aux] == kDropped;
+}
+
+void Narrower::DropUnread(ir::Function& function) {
+  if (std::ranges::none_of(function.insts, [&](auto& inst) { return IsDropped(function, inst); })) {
+    return;
+  }
+  FindReads(function);
+  for (ir::Region& region : function.regions) {
+    std::erase_if(region.body, [&](ValueId v) { return live_[v.index] == 0; });
+  }
+}
+
 bool Narrower::Rewrite(ir::Function& function) {
+  DropUnread(function);
   bool makes = false;
   for (ir::Inst& inst : function.insts) {
     if (inst.op == Op::kConst && holds_[inst.type.index]) {
@@ -178,11 +215,9 @@ bool Narrower::Run(std::vector<bool>& changed) {
   FindStructs();
   if (structs_.empty()) return false;
   FindReached();
-  while (std::exchange(grown_, false)) {
-    for (size_t f = 0; f < module_.functions.size(); ++f) {
-      if (reached_[f]) FindReads(module_.functions[f]);
-    }
-  }
+  FindAllReads();
+  KeepOneMember();
+  FindAllReads();
   DecideWhatStays();
   if (std::ranges::none_of(structs_, [&](TypeId type) { return IsNarrowed(type); })) return false;
   for (size_t f = 0; f < module_.functions.size(); ++f) {

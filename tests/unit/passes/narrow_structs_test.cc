@@ -107,7 +107,7 @@ function main() -> (color: vec2, opacity: uint) {
 main main
 )");
   EXPECT_THAT(text, HasSubstr("Tile(vec2(3.0, 4.0), 6u)"));
-  EXPECT_THAT(text, HasSubstr("Two(Tile(vec2(6.0), 8u))"));
+  EXPECT_THAT(text, HasSubstr("Two(Tile(vec2(6.0, 6.0), 8u))"));
 }
 
 TEST(NarrowStructsTest, StructsThatAreReadAreLeftAlone) {
@@ -126,6 +126,29 @@ main main
 )",
            &any);
   EXPECT_FALSE(any);
+}
+
+// A struct keeps one member even if nothing reads it, and with that what the member is made of.
+TEST(NarrowStructsTest, TheOneMemberThatStaysIsMadeOfWhatStays) {
+  const std::string text = Narrowed(R"(struct Read { a: float, b: float }
+struct Passed { c: float, d: float }
+input uv: vec2
+function second(%passed: Passed, %read: Read) -> float {
+  %0 = extract.1 %read : float
+  return %0
+}
+function main() -> float {
+  %0 = extract.0 @uv : float
+  %1 = construct %0, 2.0 : Read
+  %2 = extract.0 %1 : float
+  %3 = construct %2, 3.0 : Passed
+  %4 = call second(%3, %1) : float
+  return %4
+}
+main main
+)");
+  EXPECT_THAT(text, HasSubstr("struct Read { a: float, b: float }"));
+  EXPECT_THAT(text, HasSubstr("struct Passed { c: float }"));
 }
 
 // Simplify drops what went into the members.
