@@ -262,23 +262,22 @@ ir::ConstId CheckConstant(Program& program, File& file, const Expr& expr, TypeId
 
 bool CheckName(Diagnostics& diagnostics, std::string_view name, SourceRange range,
                bool is_function) {
-  std::string quoted = "'" + Printable(name, 60) + "'";
-  if (name.starts_with("gl_") || name.find("__") != std::string_view::npos) {
+  const auto refuse = [&](std::string_view why) {
     diagnostics.Error(DiagnosticKind::kBlockName, range,
-                      quoted + " is reserved: GLSL keeps 'gl_' and '__' for itself");
+                      "'" + Printable(name, 60) + "' " + std::string(why));
     return false;
+  };
+  if (name.starts_with("gl_") || name.find("__") != std::string_view::npos) {
+    return refuse("is reserved: GLSL keeps 'gl_' and '__' for itself");
   }
   if (name.size() > 255) {
     diagnostics.Error(DiagnosticKind::kBlockName, range, "this name is longer than 255 letters");
     return false;
   }
-  bool is_builtin = FindBuiltin(name) != nullptr;
-  if (!IsReservedInGlsl(name) && !is_builtin) return true;
-  if (is_builtin && !is_function) return true;
-  diagnostics.Error(DiagnosticKind::kBlockName, range,
-                    quoted + (is_builtin ? " is the name of a built-in function"
-                                         : " is a reserved word of GLSL"));
-  return false;
+  if (FindBuiltin(name) != nullptr) {
+    return is_function ? refuse("is the name of a built-in function") : true;
+  }
+  return IsReservedInGlsl(name) ? refuse("is a reserved word of GLSL") : true;
 }
 
 }  // namespace texgraph::blocks
