@@ -21,9 +21,9 @@ bool BuildModule(const graph::CheckedGraph& graph, blocks::Library& library, ir:
 // at `where`, the graph.
 bool Specialize(ir::Module& module, bool fold, SourceRange where, Diagnostics& diagnostics);
 
-// The same meaning with never more operations: folds, applies the algebraic rules, merges equal values, drops what nothing
-// uses, globals, unused parameters and results of functions, and members of structs included. Functions and globals get new
-// ids. Idempotent.
+// The same meaning with never more operations: folds, applies the algebraic rules, merges equal values and parameters that
+// always get the same, drops what nothing uses, globals, parameters and results of functions, and members of structs included.
+// Functions and globals get new ids. Idempotent.
 void Simplify(ir::Module& module);
 // The same for a module of which only the functions of `changed` differ, by FunctionId, from what Simplify left.
 void Simplify(ir::Module& module, const std::vector<bool>& changed);

@@ -50,6 +50,7 @@ class Simplifier {
 
   void FindCalls();
   void MergeArguments(const ir::Function& caller, FunctionId caller_id, const ir::Inst& call);
+  void MergeTwins(std::span<const ValueId> operands, std::vector<uint32_t>& twins);
   void DropUnreachable();
   void FindUse();
   bool CopyStale();
@@ -64,6 +65,9 @@ class Simplifier {
   std::vector<bool>
       pinned_;  // by function: main, and what is used as a value: signatures that stay
   std::vector<std::vector<Argument>> arguments_;  // by function and parameter
+  // By function and parameter: the first parameter that gets the same value in every call, itself
+  // perhaps. Empty without calls.
+  std::vector<std::vector<uint32_t>> twins_;
   ir::SignatureUse use_;
   std::vector<CopiedFunction> copies_;
 };
@@ -90,12 +94,25 @@ void Simplifier::MergeArguments(const ir::Function& caller, FunctionId caller_id
   }
 }
 
+void Simplifier::MergeTwins(std::span<const ValueId> operands, std::vector<uint32_t>& twins) {
+  const bool is_first = twins.empty();
+  for (uint32_t i = 0; i < operands.size(); ++i) {
+    if (is_first) {
+      const auto same = std::ranges::find(operands.first(i), operands[i]);
+      twins.push_back(static_cast<uint32_t>(same - operands.begin()));
+    } else if (operands[twins[i]] != operands[i]) {
+      twins[i] = i;
+    }
+  }
+}
+
 // From main down: callers come after callees.
 void Simplifier::FindCalls() {
   const size_t count = module_.functions.size();
   reached_.assign(count, false);
   pinned_.assign(count, false);
   arguments_.assign(count, {});
+  twins_.assign(count, {});
   for (size_t f = 0; f < count; ++f) arguments_[f].resize(module_.functions[f].parameters.size());
   reached_[module_.main.index] = pinned_[module_.main.index] = true;
   for (const ir::Function& function : module_.functions) {
@@ -109,7 +126,9 @@ void Simplifier::FindCalls() {
     for (const ir::Inst& inst : function.insts) {
       if (inst.op != Op::kCall && inst.op != Op::kFieldRef) continue;
       reached_[inst.aux] = true;
-      if (inst.op == Op::kCall) MergeArguments(function, FunctionId(f), inst);
+      if (inst.op != Op::kCall) continue;
+      MergeArguments(function, FunctionId(f), inst);
+      MergeTwins(function.Operands(inst), twins_[inst.aux]);
     }
   }
 }
@@ -133,6 +152,7 @@ void Simplifier::DropUnreachable() {
     if (f != next) {
       module_.functions[next] = std::move(module_.functions[f]);
       arguments_[next] = std::move(arguments_[f]);
+      twins_[next] = std::move(twins_[f]);
       stale_[next] = stale_[f];
       pinned_[next] = pinned_[f];
     }
@@ -142,6 +162,7 @@ void Simplifier::DropUnreachable() {
   stale_.resize(next);
   pinned_.resize(next);
   arguments_.resize(next);
+  twins_.resize(next);
   module_.main = FunctionId(new_index[module_.main.index]);
   for (ir::Function& function : module_.functions) {
     for (ir::Inst& inst : function.insts) {
@@ -182,6 +203,11 @@ void Simplifier::FindUse() {
       bool is_constant = arguments_[f][i].kind == Argument::Kind::kConst;
       use_.parameters[f][i] = !is_constant && live.Live(function.Body().params[i]);
     }
+    for (size_t i = 0; i < twins_[f].size(); ++i) {
+      if (twins_[f][i] == i || !use_.parameters[f][i]) continue;
+      use_.parameters[f][twins_[f][i]] = true;
+      use_.parameters[f][i] = false;
+    }
   }
 }
 
@@ -214,7 +240,7 @@ bool Simplifier::CopyStale() {
   for (size_t f = 0; f < count; ++f) {
     const FunctionId id(f);
     if (!stale_[f] && !SignatureShrinks(id) && !CallsChanged(module_[id])) continue;
-    FunctionPlan plan{{}, use_};
+    FunctionPlan plan{{}, twins_[f], use_};
     for (const Argument& argument : arguments_[f]) {
       plan.constants.push_back(argument.kind == Argument::Kind::kConst ? argument.value
                                                                        : ConstId());

@@ -161,6 +161,9 @@ bool FunctionSimplifier::Run(FunctionId id, const FunctionPlan& plan, bool may_i
         old_index.push_back(static_cast<uint32_t>(i));
       } else if (plan.constants[i]) {
         rebuilder.Set(param, builder.Const(plan.constants[i]));
+      } else if (i < plan.twins.size() && plan.twins[i] != i) {
+        const ValueId twin = from.Body().params[plan.twins[i]];
+        if (plan.use.Parameter(id, plan.twins[i])) rebuilder.Set(param, rebuilder.Get(twin));
       }
     }
     rebuilder.CopyRegion(from.body);

@@ -33,6 +33,8 @@ struct CopiedFunction {
 // A plan for one function: parameters to replace by constants, and what of the signature is used.
 struct FunctionPlan {
   std::vector<ir::ConstId> constants;  // by parameter; invalid: it stays one, if it is used
+  // By parameter: an earlier one that stands for it, or itself; may be empty.
+  const std::vector<uint32_t>& twins;
   const ir::SignatureUse& use;
 };
 

@@ -2,6 +2,7 @@
 // Simplify on whole modules, text in and text out.
 #include "compiler/passes/simplify.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <pthread.h>
 
@@ -199,6 +200,38 @@ function main() -> (color: vec2) {
 }
 main main
 )");
+}
+
+// Two parameters that always get one value are one; where one call tells them apart they stay.
+TEST(Simplify, ParametersThatAreAlwaysTheSameBecomeOne) {
+  const std::string text = R"(input uv: vec2
+input time: float
+function wave(%p: vec2, %t: float, %q: vec2) -> vec2 {
+  %0 = sin %p : vec2
+  %1 = sin %q : vec2
+  %2 = mul %0, %1 : vec2
+  %3 = splat %t : vec2
+  %4 = atan2 %2, %3 : vec2
+  %5 = cos %4 : vec2
+  %6 = exp %5 : vec2
+  return %6
+}
+function main() -> (color: vec2) {
+  %0 = cos @uv : vec2
+  %1 = call wave(@uv, @time, @uv) : vec2
+  %2 = call wave(%0, @time, OTHER) : vec2
+  %3 = add %1, %2 : vec2
+  return %3
+}
+main main
+)";
+  auto with = [&](std::string_view other) {
+    std::string changed = text;
+    return Simplified(changed.replace(changed.find("OTHER"), 5, other));
+  };
+  EXPECT_THAT(with("%0"), testing::HasSubstr("function wave(%p: vec2, %t: float) -> vec2 {"));
+  EXPECT_THAT(with("%0"), testing::HasSubstr("mul %0, %0"));
+  EXPECT_THAT(with("@uv"), testing::HasSubstr("function wave(%p: vec2, %t: float, %q: vec2)"));
 }
 
 TEST(Simplify, TrivialFunctionsStandWhereTheyAreCalled) {
