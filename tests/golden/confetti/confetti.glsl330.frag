@@ -82,18 +82,6 @@ float circle(vec2 uv, float radius, vec2 uv_dx, vec2 uv_dy) {
   return clamp((radius - from_center) / width + 0.5, 0.0, 1.0);
 }
 
-// brick_grid (tiles/brick_grid.glsl)
-Tile brick_grid_grid_1_2(vec2 uv, ivec2 neighbour) {
-  vec2 p = uv * 9.0;
-  int row = int(floor(p.y)) + neighbour.y;
-  uint row_bits = hash(uint(row) + 2831084092u);
-  p = vec2(p.x + 0.5 * float(row & 1), p.y);
-  vec2 corner = floor(p) + vec2(neighbour);
-  int column = int(corner.x);
-  Tile tile = Tile(p - corner, vec2(0.11111111), hash(uint(column) + row_bits));
-  return tile;
-}
-
 // random3 (random/random3.glsl)
 vec3 random3(uint seed) {
   uint bits = hash(seed + 4u);
@@ -102,7 +90,7 @@ vec3 random3(uint seed) {
 }
 
 // draw_sheet_1, of layer (layers/layer.glsl)
-vec4 draw_sheet_1(vec2 uv, vec2 uv2, ivec2 which, vec2 uv_dx, vec2 uv_dy) {
+vec4 draw_sheet_1(vec2 uv, ivec2 which, vec2 uv_dx, vec2 uv_dy) {
   Tile tile;
   vec2 tile_local_dx, tile_local_dy;
   brick_grid_grid_1(uv, which, uv_dx, uv_dy, tile, tile_local_dx, tile_local_dy);
@@ -114,8 +102,7 @@ vec4 draw_sheet_1(vec2 uv, vec2 uv2, ivec2 which, vec2 uv_dx, vec2 uv_dy) {
   vec4 color = vec4(0.0);
   if (alpha > 0.0) {
     float circle_value = circle(inner.local, 0.45, inner_local_dx, inner_local_dy);
-    vec3 random3_value = random3(brick_grid_grid_1_2(uv2, which).seed);
-    vec3 blend = mix(vec3(0.5, 0.05, 0.02), vec3(1.0, 0.55, 0.2), random3_value);
+    vec3 blend = mix(vec3(0.5, 0.05, 0.02), vec3(1.0, 0.55, 0.2), random3(tile.seed));
     float product = (circle_value - circle(inner.local, 0.12, inner_local_dx, inner_local_dy))
         * alpha;
     color = vec4(mix(0.75, 1.0, clamp(inner.local.y, 0.0, 1.0)) * blend, product);
@@ -124,12 +111,12 @@ vec4 draw_sheet_1(vec2 uv, vec2 uv2, ivec2 which, vec2 uv_dx, vec2 uv_dy) {
 }
 
 // layer (layers/layer.glsl)
-vec4 layer_sheet_1(vec2 uv, vec2 uv2, vec2 uv_dx, vec2 uv_dy) {
+vec4 layer_sheet_1(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
   vec4 color = vec4(0.0);
   for (int y = 1; y > -2; --y) {
     for (int x = 1; x > -2; --x) {
       if (color.w < 0.999) {
-        vec4 other = draw_sheet_1(uv, uv2, ivec2(x, y), uv_dx, uv_dy);
+        vec4 other = draw_sheet_1(uv, ivec2(x, y), uv_dx, uv_dy);
         float below = other.w * (1.0 - color.w);
         color += vec4(other.xyz * below, below);
       }
@@ -140,19 +127,18 @@ vec4 layer_sheet_1(vec2 uv, vec2 uv2, vec2 uv_dx, vec2 uv_dy) {
 }
 
 // brick_grid (tiles/brick_grid.glsl)
-void brick_grid_grid_2(vec2 uv, int rows, int columns, int seed, ivec2 neighbour, vec2 uv_dx,
-    vec2 uv_dy, out Tile tile, out vec2 tile_local_dx, out vec2 tile_local_dy) {
-  vec2 cells = vec2(float(columns), float(rows));
-  vec2 p = uv * cells;
+void brick_grid_grid_2(vec2 uv, int rows, int seed, ivec2 neighbour, vec2 uv_dx, vec2 uv_dy,
+    out Tile tile, out vec2 tile_local_dx, out vec2 tile_local_dy) {
+  vec2 p = uv * float(rows);
   int row = int(floor(p.y)) + neighbour.y;
   uint row_bits = hash(uint(row) + hash(uint(seed)));
   float sum = 0.5 * float(row & 1) + float(hash(row_bits - 1u) >> 8u) * 5.9604645e-8;
   p = vec2(p.x + sum, p.y);
   vec2 corner = floor(p) + vec2(neighbour);
   int column = int(corner.x);
-  tile = Tile(p - corner, 1.0 / cells, hash(uint(column) + row_bits));
-  tile_local_dx = uv_dx * cells;
-  tile_local_dy = uv_dy * cells;
+  tile = Tile(p - corner, vec2(1.0 / float(rows)), hash(uint(column) + row_bits));
+  tile_local_dx = uv_dx * float(rows);
+  tile_local_dy = uv_dy * float(rows);
 }
 
 // layer_element (layers/layer_element.glsl)
@@ -182,25 +168,11 @@ void layer_element_sheet_2(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy, ou
   inner_local_dy = q_dy;
 }
 
-// brick_grid (tiles/brick_grid.glsl)
-Tile brick_grid_grid_2_2(vec2 uv, int rows, int columns, int seed, ivec2 neighbour) {
-  vec2 cells = vec2(float(columns), float(rows));
-  vec2 p = uv * cells;
-  int row = int(floor(p.y)) + neighbour.y;
-  uint row_bits = hash(uint(row) + hash(uint(seed)));
-  float sum = 0.5 * float(row & 1) + float(hash(row_bits - 1u) >> 8u) * 5.9604645e-8;
-  p = vec2(p.x + sum, p.y);
-  vec2 corner = floor(p) + vec2(neighbour);
-  int column = int(corner.x);
-  Tile tile = Tile(p - corner, 1.0 / cells, hash(uint(column) + row_bits));
-  return tile;
-}
-
 // draw_sheet_2, of layer (layers/layer.glsl)
-vec4 draw_sheet_2(vec2 uv, vec2 uv2, ivec2 which, vec2 uv_dx, vec2 uv_dy) {
+vec4 draw_sheet_2(vec2 uv, ivec2 which, vec2 uv_dx, vec2 uv_dy) {
   Tile tile;
   vec2 tile_local_dx, tile_local_dy;
-  brick_grid_grid_2(uv, 14, 14, 2, which, uv_dx, uv_dy, tile, tile_local_dx, tile_local_dy);
+  brick_grid_grid_2(uv, 14, 2, which, uv_dx, uv_dy, tile, tile_local_dx, tile_local_dy);
   float alpha;
   Tile inner;
   vec2 inner_local_dx, inner_local_dy;
@@ -209,8 +181,7 @@ vec4 draw_sheet_2(vec2 uv, vec2 uv2, ivec2 which, vec2 uv_dx, vec2 uv_dy) {
   vec4 color = vec4(0.0);
   if (alpha > 0.0) {
     float circle_value = circle(inner.local, 0.45, inner_local_dx, inner_local_dy);
-    vec3 random3_value = random3(brick_grid_grid_2_2(uv2, 14, 14, 2, which).seed);
-    vec3 blend = mix(vec3(0.02, 0.2, 0.35), vec3(0.2, 0.6, 0.9), random3_value);
+    vec3 blend = mix(vec3(0.02, 0.2, 0.35), vec3(0.2, 0.6, 0.9), random3(tile.seed));
     float product = (circle_value - circle(inner.local, 0.12, inner_local_dx, inner_local_dy))
         * alpha;
     color = vec4(mix(0.75, 1.0, clamp(inner.local.y, 0.0, 1.0)) * blend, product);
@@ -219,12 +190,12 @@ vec4 draw_sheet_2(vec2 uv, vec2 uv2, ivec2 which, vec2 uv_dx, vec2 uv_dy) {
 }
 
 // layer (layers/layer.glsl)
-vec4 layer_sheet_2(vec2 uv, vec2 uv2, vec2 uv_dx, vec2 uv_dy) {
+vec4 layer_sheet_2(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
   vec4 color = vec4(0.0);
   for (int y = 1; y > -2; --y) {
     for (int x = 1; x > -2; --x) {
       if (color.w < 0.999) {
-        vec4 other = draw_sheet_2(uv, uv2, ivec2(x, y), uv_dx, uv_dy);
+        vec4 other = draw_sheet_2(uv, ivec2(x, y), uv_dx, uv_dy);
         float below = other.w * (1.0 - color.w);
         color += vec4(other.xyz * below, below);
       }
@@ -262,10 +233,10 @@ void layer_element_sheet_3(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy, ou
 }
 
 // draw_sheet_3, of layer (layers/layer.glsl)
-vec4 draw_sheet_3(vec2 uv, vec2 uv2, ivec2 which, vec2 uv_dx, vec2 uv_dy) {
+vec4 draw_sheet_3(vec2 uv, ivec2 which, vec2 uv_dx, vec2 uv_dy) {
   Tile tile;
   vec2 tile_local_dx, tile_local_dy;
-  brick_grid_grid_2(uv, 20, 20, 3, which, uv_dx, uv_dy, tile, tile_local_dx, tile_local_dy);
+  brick_grid_grid_2(uv, 20, 3, which, uv_dx, uv_dy, tile, tile_local_dx, tile_local_dy);
   float alpha;
   Tile inner;
   vec2 inner_local_dx, inner_local_dy;
@@ -274,8 +245,7 @@ vec4 draw_sheet_3(vec2 uv, vec2 uv2, ivec2 which, vec2 uv_dx, vec2 uv_dy) {
   vec4 color = vec4(0.0);
   if (alpha > 0.0) {
     float circle_value = circle(inner.local, 0.45, inner_local_dx, inner_local_dy);
-    vec3 random3_value = random3(brick_grid_grid_2_2(uv2, 20, 20, 3, which).seed);
-    vec3 blend = mix(vec3(0.25, 0.4, 0.02), vec3(0.75, 0.8, 0.15), random3_value);
+    vec3 blend = mix(vec3(0.25, 0.4, 0.02), vec3(0.75, 0.8, 0.15), random3(tile.seed));
     float product = (circle_value - circle(inner.local, 0.12, inner_local_dx, inner_local_dy))
         * alpha;
     color = vec4(mix(0.75, 1.0, clamp(inner.local.y, 0.0, 1.0)) * blend, product);
@@ -284,12 +254,12 @@ vec4 draw_sheet_3(vec2 uv, vec2 uv2, ivec2 which, vec2 uv_dx, vec2 uv_dy) {
 }
 
 // layer (layers/layer.glsl)
-vec4 layer_sheet_3(vec2 uv, vec2 uv2, vec2 uv_dx, vec2 uv_dy) {
+vec4 layer_sheet_3(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
   vec4 color = vec4(0.0);
   for (int y = 1; y > -2; --y) {
     for (int x = 1; x > -2; --x) {
       if (color.w < 0.999) {
-        vec4 other = draw_sheet_3(uv, uv2, ivec2(x, y), uv_dx, uv_dy);
+        vec4 other = draw_sheet_3(uv, ivec2(x, y), uv_dx, uv_dy);
         float below = other.w * (1.0 - color.w);
         color += vec4(other.xyz * below, below);
       }
@@ -302,11 +272,11 @@ vec4 layer_sheet_3(vec2 uv, vec2 uv2, vec2 uv_dx, vec2 uv_dy) {
 void main() {
   vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
   // sheet_1: layer (layers/layer.glsl)
-  vec4 sheet_1_color = layer_sheet_1(uv, uv, uv_dx, uv_dy);
+  vec4 sheet_1_color = layer_sheet_1(uv, uv_dx, uv_dy);
   // sheet_2: layer (layers/layer.glsl)
-  vec4 sheet_2_color = layer_sheet_2(uv, uv, uv_dx, uv_dy);
+  vec4 sheet_2_color = layer_sheet_2(uv, uv_dx, uv_dy);
   // sheet_3: layer (layers/layer.glsl)
-  vec4 sheet_3_color = layer_sheet_3(uv, uv, uv_dx, uv_dy);
+  vec4 sheet_3_color = layer_sheet_3(uv, uv_dx, uv_dy);
   // lower: over (layers/over.glsl)
   float blend = mix(ground.w, 1.0, sheet_3_color.w);
   vec3 blend2 = mix(ground.xyz, sheet_3_color.xyz, sheet_3_color.w / max(blend, 1e-20));

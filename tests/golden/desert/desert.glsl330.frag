@@ -213,23 +213,22 @@ vec4 rock(vec2 uv, Tile tile, vec2 uv_dx, vec2 uv_dy) {
 }
 
 // brick_grid (tiles/brick_grid.glsl)
-Tile brick_grid_stone_grid2(vec2 uv, int rows, int columns, int seed, ivec2 neighbour) {
-  vec2 cells = vec2(float(columns), float(rows));
-  vec2 p = uv * cells;
+Tile brick_grid_stone_grid(vec2 uv, ivec2 neighbour) {
+  vec2 p = uv * vec2(16.0, 17.0);
   int row = int(floor(p.y)) + neighbour.y;
-  uint row_bits = hash(uint(row) + hash(uint(seed)));
+  uint row_bits = hash(uint(row) + 2161170183u);
   float sum = 0.5 * float(row & 1) + float(hash(row_bits - 1u) >> 8u) * 5.9604645e-8;
   p = vec2(p.x + sum, p.y);
   vec2 corner = floor(p) + vec2(neighbour);
   int column = int(corner.x);
-  Tile tile = Tile(p - corner, 1.0 / cells, hash(uint(column) + row_bits));
+  Tile tile = Tile(p - corner, vec2(0.0625, 0.05882353), hash(uint(column) + row_bits));
   return tile;
 }
 
 // stone_tint_at (a function of neighbour)
 vec3 stone_tint_at(ivec2 neighbour, vec2 uv) {
   // stone_grid: brick_grid (tiles/brick_grid.glsl)
-  Tile stone_grid = brick_grid_stone_grid2(uv, 17, 16, 5, neighbour);
+  Tile stone_grid = brick_grid_stone_grid(uv, neighbour);
   // stone_tone: tile_random (tiles/tile_random.glsl)
   float stone_tone = mix(0.8, 1.7, float(hash(stone_grid.seed) >> 8u) * 5.9604645e-8);
   // stone_tint: multiply (math/multiply.glsl)
@@ -238,7 +237,7 @@ vec3 stone_tint_at(ivec2 neighbour, vec2 uv) {
 }
 
 // draw_stones, of layer (layers/layer.glsl)
-vec4 draw_stones(vec2 uv, vec2 uv2, ivec2 which, vec2 uv_dx, vec2 uv_dy) {
+vec4 draw_stones(vec2 uv, ivec2 which, vec2 uv_dx, vec2 uv_dy) {
   Tile tile;
   vec2 tile_local_dx, tile_local_dy;
   brick_grid_stone_grid(uv, 17, 16, 5, which, uv_dx, uv_dy, tile, tile_local_dx, tile_local_dy);
@@ -250,18 +249,18 @@ vec4 draw_stones(vec2 uv, vec2 uv2, ivec2 which, vec2 uv_dx, vec2 uv_dy) {
   vec4 color = vec4(0.0);
   if (alpha > 0.0) {
     color = rock(inner.local, inner, inner_local_dx, inner_local_dy);
-    color = vec4(color.xyz * stone_tint_at(which, uv2), color.w * alpha);
+    color = vec4(color.xyz * stone_tint_at(which, uv), color.w * alpha);
   }
   return color;
 }
 
 // layer (layers/layer.glsl)
-vec4 layer_stones(vec2 uv, vec2 uv2, vec2 uv_dx, vec2 uv_dy) {
+vec4 layer_stones(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
   vec4 color = vec4(0.0);
   for (int y = 1; y > -2; --y) {
     for (int x = 1; x > -2; --x) {
       if (color.w < 0.999) {
-        vec4 other = draw_stones(uv, uv2, ivec2(x, y), uv_dx, uv_dy);
+        vec4 other = draw_stones(uv, ivec2(x, y), uv_dx, uv_dy);
         float below = other.w * (1.0 - color.w);
         color += vec4(other.xyz * below, below);
       }
@@ -391,7 +390,7 @@ vec3 random3(uint seed) {
 }
 
 // draw_tufts, of layer (layers/layer.glsl)
-vec4 draw_tufts(vec2 uv, vec2 uv2, ivec2 which, vec2 uv_dx, vec2 uv_dy) {
+vec4 draw_tufts(vec2 uv, ivec2 which, vec2 uv_dx, vec2 uv_dy) {
   Tile tile;
   vec2 tile_local_dx, tile_local_dy;
   brick_grid_stone_grid(uv, 7, 6, 6, which, uv_dx, uv_dy, tile, tile_local_dx, tile_local_dy);
@@ -403,20 +402,19 @@ vec4 draw_tufts(vec2 uv, vec2 uv2, ivec2 which, vec2 uv_dx, vec2 uv_dy) {
   vec4 color = vec4(0.0);
   if (alpha > 0.0) {
     color = tuft(inner.local, inner_local_dx, inner_local_dy);
-    vec3 random3_value = random3(brick_grid_stone_grid2(uv2, 7, 6, 6, which).seed);
-    vec3 product = color.xyz * mix(vec3(0.75, 0.8, 0.6), vec3(1.3, 1.15, 1.0), random3_value);
-    color = vec4(product, color.w * alpha);
+    vec3 blend = mix(vec3(0.75, 0.8, 0.6), vec3(1.3, 1.15, 1.0), random3(tile.seed));
+    color = vec4(color.xyz * blend, color.w * alpha);
   }
   return color;
 }
 
 // layer (layers/layer.glsl)
-vec4 layer_tufts(vec2 uv, vec2 uv2, vec2 uv_dx, vec2 uv_dy) {
+vec4 layer_tufts(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
   vec4 color = vec4(0.0);
   for (int y = 1; y > -2; --y) {
     for (int x = 1; x > -2; --x) {
       if (color.w < 0.999) {
-        vec4 other = draw_tufts(uv, uv2, ivec2(x, y), uv_dx, uv_dy);
+        vec4 other = draw_tufts(uv, ivec2(x, y), uv_dx, uv_dy);
         float below = other.w * (1.0 - color.w);
         color += vec4(other.xyz * below, below);
       }
@@ -459,7 +457,7 @@ void layer_element_rocks(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy, out 
 }
 
 // draw_rocks, of layer (layers/layer.glsl)
-vec4 draw_rocks(vec2 uv, vec2 uv2, ivec2 which, vec2 uv_dx, vec2 uv_dy) {
+vec4 draw_rocks(vec2 uv, ivec2 which, vec2 uv_dx, vec2 uv_dy) {
   Tile tile;
   vec2 tile_local_dx, tile_local_dy;
   brick_grid_stone_grid(uv, 4, 4, 9, which, uv_dx, uv_dy, tile, tile_local_dx, tile_local_dy);
@@ -471,20 +469,19 @@ vec4 draw_rocks(vec2 uv, vec2 uv2, ivec2 which, vec2 uv_dx, vec2 uv_dy) {
   vec4 color = vec4(0.0);
   if (alpha > 0.0) {
     color = rock(inner.local, inner, inner_local_dx, inner_local_dy);
-    vec3 random3_value = random3(brick_grid_stone_grid2(uv2, 4, 4, 9, which).seed);
-    vec3 product = color.xyz * mix(vec3(1.0, 0.92, 0.8), vec3(1.4, 1.1, 0.9), random3_value);
-    color = vec4(product, color.w * alpha);
+    vec3 blend = mix(vec3(1.0, 0.92, 0.8), vec3(1.4, 1.1, 0.9), random3(tile.seed));
+    color = vec4(color.xyz * blend, color.w * alpha);
   }
   return color;
 }
 
 // layer (layers/layer.glsl)
-vec4 layer_rocks(vec2 uv, vec2 uv2, vec2 uv_dx, vec2 uv_dy) {
+vec4 layer_rocks(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
   vec4 color = vec4(0.0);
   for (int y = 1; y > -2; --y) {
     for (int x = 1; x > -2; --x) {
       if (color.w < 0.999) {
-        vec4 other = draw_rocks(uv, uv2, ivec2(x, y), uv_dx, uv_dy);
+        vec4 other = draw_rocks(uv, ivec2(x, y), uv_dx, uv_dy);
         float below = other.w * (1.0 - color.w);
         color += vec4(other.xyz * below, below);
       }
@@ -533,11 +530,11 @@ void main() {
   // sand_rgb: multiply (math/multiply.glsl)
   vec3 sand_rgb = sand * light;
   // stones: layer (layers/layer.glsl)
-  vec4 stones_color = layer_stones(uv, uv, uv_dx, uv_dy);
+  vec4 stones_color = layer_stones(uv, uv_dx, uv_dy);
   // tufts: layer (layers/layer.glsl)
-  vec4 tufts_color = layer_tufts(uv, uv, uv_dx, uv_dy);
+  vec4 tufts_color = layer_tufts(uv, uv_dx, uv_dy);
   // rocks: layer (layers/layer.glsl)
-  vec4 rocks_color = layer_rocks(uv, uv, uv_dx, uv_dy);
+  vec4 rocks_color = layer_rocks(uv, uv_dx, uv_dy);
   // with_stones: over (layers/over.glsl)
   vec3 blend = mix(sand_rgb, stones_color.xyz, stones_color.w);
   // with_grass: over (layers/over.glsl)

@@ -209,24 +209,23 @@ vec4 desert_rock(vec2 uv, desert_Tile tile, vec2 uv_dx, vec2 uv_dy) {
 }
 
 // brick_grid (tiles/brick_grid.glsl)
-desert_Tile desert_brick_grid_stone_grid2(vec2 uv, int rows, int columns, int seed,
-    ivec2 neighbour) {
-  vec2 cells = vec2(float(columns), float(rows));
-  vec2 p = uv * cells;
+desert_Tile desert_brick_grid_stone_grid(vec2 uv, ivec2 neighbour) {
+  vec2 p = uv * vec2(16.0, 17.0);
   int row = int(floor(p.y)) + neighbour.y;
-  uint row_bits = desert_hash(uint(row) + desert_hash(uint(seed)));
+  uint row_bits = desert_hash(uint(row) + 2161170183u);
   float sum = 0.5 * float(row & 1) + float(desert_hash(row_bits - 1u) >> 8u) * 5.9604645e-8;
   p = vec2(p.x + sum, p.y);
   vec2 corner = floor(p) + vec2(neighbour);
   int column = int(corner.x);
-  desert_Tile tile = desert_Tile(p - corner, 1.0 / cells, desert_hash(uint(column) + row_bits));
+  desert_Tile tile = desert_Tile(p - corner, vec2(0.0625, 0.05882353),
+      desert_hash(uint(column) + row_bits));
   return tile;
 }
 
 // stone_tint_at (a function of neighbour)
 vec3 desert_stone_tint_at(ivec2 neighbour, vec2 uv) {
   // stone_grid: brick_grid (tiles/brick_grid.glsl)
-  desert_Tile stone_grid = desert_brick_grid_stone_grid2(uv, 17, 16, 5, neighbour);
+  desert_Tile stone_grid = desert_brick_grid_stone_grid(uv, neighbour);
   // stone_tone: tile_random (tiles/tile_random.glsl)
   float stone_tone = mix(0.8, 1.7, float(desert_hash(stone_grid.seed) >> 8u) * 5.9604645e-8);
   // stone_tint: multiply (math/multiply.glsl)
@@ -235,7 +234,7 @@ vec3 desert_stone_tint_at(ivec2 neighbour, vec2 uv) {
 }
 
 // draw_stones, of layer (layers/layer.glsl)
-vec4 desert_draw_stones(vec2 uv, vec2 uv2, ivec2 which, vec2 uv_dx, vec2 uv_dy) {
+vec4 desert_draw_stones(vec2 uv, ivec2 which, vec2 uv_dx, vec2 uv_dy) {
   desert_Tile tile;
   vec2 tile_local_dx, tile_local_dy;
   desert_brick_grid_stone_grid(uv, 17, 16, 5, which, uv_dx, uv_dy, tile, tile_local_dx,
@@ -248,18 +247,18 @@ vec4 desert_draw_stones(vec2 uv, vec2 uv2, ivec2 which, vec2 uv_dx, vec2 uv_dy) 
   vec4 color = vec4(0.0);
   if (alpha > 0.0) {
     color = desert_rock(inner.local, inner, inner_local_dx, inner_local_dy);
-    color = vec4(color.xyz * desert_stone_tint_at(which, uv2), color.w * alpha);
+    color = vec4(color.xyz * desert_stone_tint_at(which, uv), color.w * alpha);
   }
   return color;
 }
 
 // layer (layers/layer.glsl)
-vec4 desert_layer_stones(vec2 uv, vec2 uv2, vec2 uv_dx, vec2 uv_dy) {
+vec4 desert_layer_stones(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
   vec4 color = vec4(0.0);
   for (int y = 1; y > -2; --y) {
     for (int x = 1; x > -2; --x) {
       if (color.w < 0.999) {
-        vec4 other = desert_draw_stones(uv, uv2, ivec2(x, y), uv_dx, uv_dy);
+        vec4 other = desert_draw_stones(uv, ivec2(x, y), uv_dx, uv_dy);
         float below = other.w * (1.0 - color.w);
         color += vec4(other.xyz * below, below);
       }
@@ -391,7 +390,7 @@ vec3 desert_random3(uint seed) {
 }
 
 // draw_tufts, of layer (layers/layer.glsl)
-vec4 desert_draw_tufts(vec2 uv, vec2 uv2, ivec2 which, vec2 uv_dx, vec2 uv_dy) {
+vec4 desert_draw_tufts(vec2 uv, ivec2 which, vec2 uv_dx, vec2 uv_dy) {
   desert_Tile tile;
   vec2 tile_local_dx, tile_local_dy;
   desert_brick_grid_stone_grid(uv, 7, 6, 6, which, uv_dx, uv_dy, tile, tile_local_dx,
@@ -404,20 +403,19 @@ vec4 desert_draw_tufts(vec2 uv, vec2 uv2, ivec2 which, vec2 uv_dx, vec2 uv_dy) {
   vec4 color = vec4(0.0);
   if (alpha > 0.0) {
     color = desert_tuft(inner.local, inner_local_dx, inner_local_dy);
-    vec3 random3_value = desert_random3(desert_brick_grid_stone_grid2(uv2, 7, 6, 6, which).seed);
-    vec3 product = color.xyz * mix(vec3(0.75, 0.8, 0.6), vec3(1.3, 1.15, 1.0), random3_value);
-    color = vec4(product, color.w * alpha);
+    vec3 blend = mix(vec3(0.75, 0.8, 0.6), vec3(1.3, 1.15, 1.0), desert_random3(tile.seed));
+    color = vec4(color.xyz * blend, color.w * alpha);
   }
   return color;
 }
 
 // layer (layers/layer.glsl)
-vec4 desert_layer_tufts(vec2 uv, vec2 uv2, vec2 uv_dx, vec2 uv_dy) {
+vec4 desert_layer_tufts(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
   vec4 color = vec4(0.0);
   for (int y = 1; y > -2; --y) {
     for (int x = 1; x > -2; --x) {
       if (color.w < 0.999) {
-        vec4 other = desert_draw_tufts(uv, uv2, ivec2(x, y), uv_dx, uv_dy);
+        vec4 other = desert_draw_tufts(uv, ivec2(x, y), uv_dx, uv_dy);
         float below = other.w * (1.0 - color.w);
         color += vec4(other.xyz * below, below);
       }
@@ -460,7 +458,7 @@ void desert_layer_element_rocks(desert_Tile tile, vec2 tile_local_dx, vec2 tile_
 }
 
 // draw_rocks, of layer (layers/layer.glsl)
-vec4 desert_draw_rocks(vec2 uv, vec2 uv2, ivec2 which, vec2 uv_dx, vec2 uv_dy) {
+vec4 desert_draw_rocks(vec2 uv, ivec2 which, vec2 uv_dx, vec2 uv_dy) {
   desert_Tile tile;
   vec2 tile_local_dx, tile_local_dy;
   desert_brick_grid_stone_grid(uv, 4, 4, 9, which, uv_dx, uv_dy, tile, tile_local_dx,
@@ -473,20 +471,19 @@ vec4 desert_draw_rocks(vec2 uv, vec2 uv2, ivec2 which, vec2 uv_dx, vec2 uv_dy) {
   vec4 color = vec4(0.0);
   if (alpha > 0.0) {
     color = desert_rock(inner.local, inner, inner_local_dx, inner_local_dy);
-    vec3 random3_value = desert_random3(desert_brick_grid_stone_grid2(uv2, 4, 4, 9, which).seed);
-    vec3 product = color.xyz * mix(vec3(1.0, 0.92, 0.8), vec3(1.4, 1.1, 0.9), random3_value);
-    color = vec4(product, color.w * alpha);
+    vec3 blend = mix(vec3(1.0, 0.92, 0.8), vec3(1.4, 1.1, 0.9), desert_random3(tile.seed));
+    color = vec4(color.xyz * blend, color.w * alpha);
   }
   return color;
 }
 
 // layer (layers/layer.glsl)
-vec4 desert_layer_rocks(vec2 uv, vec2 uv2, vec2 uv_dx, vec2 uv_dy) {
+vec4 desert_layer_rocks(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
   vec4 color = vec4(0.0);
   for (int y = 1; y > -2; --y) {
     for (int x = 1; x > -2; --x) {
       if (color.w < 0.999) {
-        vec4 other = desert_draw_rocks(uv, uv2, ivec2(x, y), uv_dx, uv_dy);
+        vec4 other = desert_draw_rocks(uv, ivec2(x, y), uv_dx, uv_dy);
         float below = other.w * (1.0 - color.w);
         color += vec4(other.xyz * below, below);
       }
@@ -535,11 +532,11 @@ vec4 desert(vec2 uv) {
   // sand_rgb: multiply (math/multiply.glsl)
   vec3 sand_rgb = sand * light;
   // stones: layer (layers/layer.glsl)
-  vec4 stones_color = desert_layer_stones(uv, uv, uv_dx, uv_dy);
+  vec4 stones_color = desert_layer_stones(uv, uv_dx, uv_dy);
   // tufts: layer (layers/layer.glsl)
-  vec4 tufts_color = desert_layer_tufts(uv, uv, uv_dx, uv_dy);
+  vec4 tufts_color = desert_layer_tufts(uv, uv_dx, uv_dy);
   // rocks: layer (layers/layer.glsl)
-  vec4 rocks_color = desert_layer_rocks(uv, uv, uv_dx, uv_dy);
+  vec4 rocks_color = desert_layer_rocks(uv, uv_dx, uv_dy);
   // with_stones: over (layers/over.glsl)
   vec3 blend = mix(sand_rgb, stones_color.xyz, stones_color.w);
   // with_grass: over (layers/over.glsl)
