@@ -141,6 +141,8 @@ Picture MakeBrick(int height) {
   return Paint(2 * height, height, true, {BrickHeight, BrickSurface, 1.0});
 }
 
+Picture MakeBrickRelief() { return PaintRelief(256, 128, {BrickHeight, nullptr}); }
+
 Picture MakeMortar(int height) {
   return Paint(height, height, false, {MortarHeight, MortarSurface, 1.0});
 }

@@ -52,6 +52,27 @@ Picture Paint(int width, int height, bool has_alpha, const Painter& painter) {
   return picture;
 }
 
+Picture PaintRelief(int width, int height, const Relief& relief) {
+  Picture picture{width, height, relief.alpha != nullptr, {}};
+  double step = 1.0 / height;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      Point p{(x + 0.5) * step, (y + 0.5) * step};
+      double half = 0.5 * step;
+      double across = (relief.height({p.x + half, p.y}) - relief.height({p.x - half, p.y})) / step;
+      double down = (relief.height({p.x, p.y + half}) - relief.height({p.x, p.y - half})) / step;
+      double length = std::sqrt(1 + across * across + down * down);
+      picture.pixels.push_back(Quantize(0.5 - 0.5 * across / length));
+      picture.pixels.push_back(Quantize(0.5 + 0.5 * down / length));
+      picture.pixels.push_back(Quantize(0.5 + 0.5 / length));
+      if (picture.has_alpha) {
+        picture.pixels.push_back(Quantize(relief.alpha(p)));
+      }
+    }
+  }
+  return picture;
+}
+
 std::vector<NamedPicture> Pictures() {
   return {
       {"brick_wall/brick.png", [] { return MakeBrick(256); }},
@@ -62,7 +83,21 @@ std::vector<NamedPicture> Pictures() {
       {"first_wall/leaf_on_black.png", MakeLeafOnBlack},
       {"first_wall/mortar.png", [] { return MakeMortar(128); }},
       {"first_wall/moss.png", [] { return MakeMoss(128); }},
+      {"hallway/brick_relief.png", MakeBrickRelief},
+      {"hallway/crack.png", MakeCrack},
+      {"hallway/door.png", MakeDoor},
+      {"hallway/door_relief.png", MakeDoorRelief},
+      {"hallway/hole.png", MakeHole},
+      {"hallway/plaster.png", MakePlaster},
+      {"hallway/plaster_relief.png", MakePlasterRelief},
+      {"hallway/window.png", MakeWindow},
+      {"hallway/window_relief.png", MakeWindowRelief},
       {"painted_wood/wood.png", MakeWood},
+      {"roof_tiles/roof_tile.png", MakeRoofTile},
+      {"roof_tiles/roof_tile_relief.png", MakeRoofTileRelief},
+      {"tiled_floor/glaze.png", MakeGlaze},
+      {"tiled_floor/glaze_relief.png", MakeGlazeRelief},
+      {"tiled_floor/wear.png", MakeWear},
   };
 }
 

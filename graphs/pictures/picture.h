@@ -43,6 +43,15 @@ struct Painter {
 // Coordinates go from (0, 0) at the upper left to (width / height, 1).
 Picture Paint(int width, int height, bool has_alpha, const Painter& painter);
 
+// A relief as data for a graph. `height` says how high a point lies, in the unit of the
+// coordinates; red, green and blue are its normal, (n + 1) / 2, x to the right, y up, z out of the
+// surface. With `alpha` there is a fourth channel.
+struct Relief {
+  std::function<double(Point)> height;
+  std::function<double(Point)> alpha;
+};
+Picture PaintRelief(int width, int height, const Relief& relief);
+
 struct NamedPicture {
   std::string path;  // from the folder of graphs
   std::function<Picture()> make;
@@ -51,10 +60,24 @@ struct NamedPicture {
 std::vector<NamedPicture> Pictures();
 
 Picture MakeBrick(int height);
+Picture MakeBrickRelief();
 Picture MakeMortar(int height);
 Picture MakeMoss(int height);
 Picture MakeSoot();
 Picture MakeWood();
 Picture MakeLeafOnBlack();
+Picture MakePlaster();
+Picture MakePlasterRelief();
+Picture MakeCrack();
+Picture MakeHole();
+Picture MakeDoor();
+Picture MakeDoorRelief();
+Picture MakeWindow();
+Picture MakeWindowRelief();
+Picture MakeGlaze();
+Picture MakeGlazeRelief();
+Picture MakeWear();
+Picture MakeRoofTile();
+Picture MakeRoofTileRelief();
 
 }  // namespace texgraph::pictures

@@ -55,9 +55,9 @@ TEST(PicturesTest, FilesAreSmall) {
 }
 
 // The step from the last row or column to the first is like the steps inside.
-TEST(PicturesTest, MortarAndWoodRepeatWithoutASeam) {
-  for (const char* name :
-       {"brick_wall/mortar.png", "first_wall/mortar.png", "painted_wood/wood.png"}) {
+TEST(PicturesTest, MortarPlasterAndWoodRepeatWithoutASeam) {
+  for (const char* name : {"brick_wall/mortar.png", "first_wall/mortar.png", "hallway/plaster.png",
+                           "hallway/plaster_relief.png", "painted_wood/wood.png"}) {
     SCOPED_TRACE(name);
     Picture picture = ReadPng(std::string(TEXGRAPH_SOURCE_DIR) + "/graphs/" + name);
     ASSERT_FALSE(picture.has_alpha);
@@ -80,6 +80,29 @@ TEST(PicturesTest, MortarAndWoodRepeatWithoutASeam) {
     EXPECT_LT(border_x / picture.height, 1.25 * inside_x);
     EXPECT_LT(border_y / picture.width, 1.25 * inside_y);
   }
+}
+
+// The normals of a relief have a length of 1, but for rounding, and look out of the surface.
+TEST(PicturesTest, ReliefsHaveNormals) {
+  int reliefs = 0;
+  for (const NamedPicture& named : Pictures()) {
+    if (named.path.find("_relief") == std::string::npos) {
+      continue;
+    }
+    ++reliefs;
+    Picture picture = ReadPng(PathOf(named));
+    const size_t size = picture.has_alpha ? 4 : 3;
+    for (size_t i = 0; i < picture.pixels.size(); i += size) {
+      double square = 0;
+      for (size_t k = 0; k < 3; ++k) {
+        double component = picture.pixels[i + k] / 127.5 - 1;
+        square += component * component;
+      }
+      ASSERT_NEAR(square, 1, 0.02) << named.path;
+      ASSERT_GT(picture.pixels[i + 2], 127) << named.path;
+    }
+  }
+  EXPECT_GE(reliefs, 6);
 }
 
 // A picture with alpha ends before its border does, so that nothing is cut off or repeated.

@@ -1,0 +1,393 @@
+// roof_tiles: a fragment shader, compiled by texgraphc 0.1.0.
+#version 450 core
+
+// Inputs
+layout(location = 0) in vec2 uv;
+
+// Parameters
+layout(location = 0) uniform vec3 tint;  // default vec3(1.0)
+layout(location = 1) uniform float moss_amount;  // default 0.9
+
+// Textures
+layout(location = 2, binding = 0) uniform sampler2D tile_color;
+layout(location = 3, binding = 1) uniform sampler2D tile_relief;
+layout(location = 4, binding = 2) uniform sampler2D moss;
+
+// Outputs
+layout(location = 0) out vec4 out_color;
+layout(location = 1) out vec3 out_normal;
+layout(location = 2) out float out_roughness;
+layout(location = 3) out float out_height;
+
+// Types
+struct Tile {
+  vec2 local;
+  vec2 size;
+  uint seed;
+  vec2 right;
+  vec2 up;
+};
+struct Material {
+  vec4 color;
+  vec3 normal;
+  float height;
+  float roughness;
+};
+
+// mean, of material_layer (materials/material_layer.glsl)
+Material mean(Material total) {
+  float share = 1.0 / max(total.color.w, 1e-20);
+  vec3 n = total.normal + vec3(0.0, 0.0, 1e-9);
+  vec4 vector = vec4(total.color.xyz * share, total.color.w);
+  vec3 product = n * inversesqrt(max(dot(n, n), 1e-20));
+  return Material(vector, product, total.height * share, total.roughness * share);
+}
+
+// hash (random/hash.glsl)
+uint hash(uint value) {
+  uint state = value * 747796405u + 2891336453u;
+  uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+  return (word >> 22u) ^ word;
+}
+
+// brick_grid (tiles/brick_grid.glsl)
+void brick_grid(vec2 uv, ivec2 neighbour, vec2 uv_dx, vec2 uv_dy, out Tile tile,
+    out vec2 tile_local_dx, out vec2 tile_local_dy) {
+  vec2 p = uv * 8.0;
+  int row = int(floor(p.y)) + neighbour.y;
+  uint row_bits = hash(uint(row) + 2131687100u);
+  p = vec2(p.x + 0.5 * float(row & 1), p.y);
+  vec2 corner = floor(p) + vec2(neighbour);
+  int column = int(corner.x);
+  uint hash_value = hash(uint(column) + row_bits);
+  tile = Tile(p - corner, vec2(0.125), hash_value, vec2(1.0, 0.0), vec2(0.0, 1.0));
+  tile_local_dx = uv_dx * 8.0;
+  tile_local_dy = uv_dy * 8.0;
+}
+
+// coverage, of layer_element (layers/layer_element.glsl)
+float coverage(vec2 q, vec2 cell_in_q, vec2 q_dx, vec2 q_dy) {
+  vec2 density = 1.0 / clamp(sqrt(q_dx * q_dx + q_dy * q_dy), vec2(1e-5), cell_in_q);
+  vec2 share = min((0.5 - abs(q - 0.5)) * density + 0.5, density);
+  vec2 covered = clamp(share, 0.0, 1.0);
+  return covered.x * covered.y;
+}
+
+// layer_element (layers/layer_element.glsl)
+void layer_element_tiles(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy, out float alpha,
+    out Tile inner, out vec2 inner_local_dx, out vec2 inner_local_dy) {
+  uint seed = hash(tile.seed);
+  uint hash_value = hash(seed - 2u);
+  vec2 pose = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
+  float angle = mix(-1.3, 1.3, pose.y) * 0.017453292;
+  uint bits = hash(seed - 4u);
+  float size = mix(1.0, 1.03, pose.x);
+  vec2 across = vec2(tile.size.y, -tile.size.x) / tile.size;
+  uint hash_value2 = hash(seed - 1u);
+  vec2 product = vec2(float(hash_value2 & 65535u), float(hash_value2 >> 16u)) * 1.5258789e-5;
+  vec2 center = mix(vec2(0.485, 0.47), vec2(0.515, 0.53), product);
+  vec2 p = tile.local - center;
+  float shrink = 1.0 / size;
+  vec2 into = shrink * vec2(1.0, 0.5);
+  vec2 point = vec2(cos(angle));
+  vec2 product2 = point * into;
+  vec2 point2 = vec2(sin(angle));
+  vec2 product3 = point2 * into * across;
+  vec2 q = product2 * p + (product3 * p.yx + 0.5);
+  vec2 q_dx = tile_local_dx * product2 + tile_local_dx.yx * product3;
+  vec2 q_dy = tile_local_dy * product2 + tile_local_dy.yx * product3;
+  vec2 right = point * tile.right + point2 * tile.up;
+  vec2 up = point * tile.up - point2 * tile.right;
+  vec2 difference = q - 0.5;
+  bool test = ((bits >> 16u) & 4u) != 0u;
+  vec2 sum = vec2(test ? -difference.x : difference.x, difference.y) + 0.5;
+  vec2 point3 = vec2(test ? -right.x : right.x, test ? -right.y : right.y);
+  uint hash_value3 = hash(seed - 3u);
+  vec2 luck = vec2(float(hash_value3 & 65535u), float(hash_value3 >> 16u)) * 1.5258789e-5;
+  float alpha2 = coverage(q, into, q_dx, q_dy);
+  alpha = luck.y >= 0.985 ? 0.0 : alpha2;
+  inner = Tile(sum, size * vec2(1.0, 2.0) * tile.size, seed, point3, up);
+  inner_local_dx = vec2(test ? -q_dx.x : q_dx.x, q_dx.y);
+  inner_local_dy = vec2(test ? -q_dy.x : q_dy.x, q_dy.y);
+}
+
+// normal_map (materials/normal_map.glsl)
+vec3 normal_map(vec3 texel) {
+  vec3 n = texel * 2.0 - 1.0;
+  vec2 slope = 1.3 * n.xy;
+  vec3 steep = vec3(slope, n.z);
+  return steep * inversesqrt(max(dot(steep, steep), 1e-20));
+}
+
+// color_ramp (color/color_ramp.glsl)
+vec4 color_ramp(float position) {
+  vec4 vector = vec4(clamp(position / 0.22, 0.0, 1.0));
+  vec4 color = mix(vec4(0.42, 0.4, 0.42, 1.0), vec4(0.8, 0.66, 0.58, 1.0), vector);
+  color = mix(color, vec4(1.0, 0.95, 0.9, 1.0), clamp((position - 0.22) / 0.48, 0.0, 1.0));
+  return mix(color, vec4(1.25, 1.22, 1.0, 1.0), clamp((position - 0.7) / 0.3, 0.0, 1.0));
+}
+
+// hash (random/hash.glsl)
+uvec2 hash(uvec2 value) {
+  uvec2 state = value * 747796405u + 2891336453u;
+  uvec2 word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+  return (word >> 22u) ^ word;
+}
+
+// hash (random/hash.glsl)
+uvec4 hash(uvec4 value) {
+  uvec4 state = value * 747796405u + 2891336453u;
+  uvec4 word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+  return (word >> 22u) ^ word;
+}
+
+// value_noise (patterns/value_noise.glsl)
+float value_noise(vec2 uv, vec2 scale, int seed, vec2 uv_dx, vec2 uv_dy) {
+  vec2 p = uv * scale;
+  vec2 base = floor(p);
+  vec2 t = p - base;
+  vec2 fade = t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
+  uvec2 cell = uvec2(ivec2(base));
+  uint sum = cell.x + 1u;
+  uvec2 rows = hash(uvec2(cell.y, cell.y + 1u) + hash(uint(seed)));
+  uvec4 bits = hash(uvec4(cell.x, sum, cell.x, sum) + rows.xxyy) >> 8u;
+  vec4 corners = vec4(bits) * 5.9604645e-8;
+  float low = mix(corners.x, corners.y, fade.x);
+  float high = mix(corners.z, corners.w, fade.x);
+  vec2 width = sqrt(uv_dx * uv_dx + uv_dy * uv_dy) * abs(scale);
+  float blur = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
+  return mix(mix(low, high, fade.y), 0.5, blur);
+}
+
+// smooth_step (math/smooth_step.glsl)
+float smooth_step(float value, float low, float high) {
+  float t = clamp((value - low) / max(high - low, 1e-7), 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+// roof_tile (function of the graph)
+Material roof_tile(vec2 uv, Tile tile, vec2 uv_dx, vec2 uv_dy) {
+  // picture: image (images/image.glsl)
+  vec4 picture = textureGrad(tile_color, uv, uv_dx, uv_dy);
+  // texel: image (images/image.glsl)
+  vec4 texel = textureGrad(tile_relief, uv, uv_dx, uv_dy);
+  // slope: normal_map (materials/normal_map.glsl)
+  vec3 slope = normal_map(texel.xyz);
+  // firing: tile_random (tiles/tile_random.glsl)
+  float firing = float(hash(tile.seed + 11u) >> 8u) * 5.9604645e-8;
+  // clay: color_ramp (color/color_ramp.glsl)
+  vec4 clay = color_ramp(firing);
+  // light: tile_random (tiles/tile_random.glsl)
+  float light = mix(0.75, 1.1, float(hash(tile.seed + 12u) >> 8u) * 5.9604645e-8);
+  // shade: multiply (math/multiply.glsl)
+  vec3 shade = clay.xyz * light;
+  // fired: multiply (math/multiply.glsl)
+  vec3 fired = picture.xyz * shade;
+  // away: tile_random (tiles/tile_random.glsl)
+  float away = 90.0 * (float(hash(tile.seed + 13u) >> 8u) * 5.9604645e-8);
+  // place: add (math/add.glsl)
+  vec2 place = uv + away;
+  // blots: value_noise (patterns/value_noise.glsl)
+  float blots = value_noise(place, vec2(4.0, 7.0), 1, uv_dx, uv_dy);
+  // specks: value_noise (patterns/value_noise.glsl)
+  float specks = value_noise(place, vec2(19.0, 37.0), 2, uv_dx, uv_dy);
+  // crumbs: value_noise (patterns/value_noise.glsl)
+  float crumbs = value_noise(place, vec2(53.0, 101.0), 4, uv_dx, uv_dy);
+  // rim: lerp (math/lerp.glsl)
+  float rim = mix(specks, crumbs, 0.4);
+  // growth: lerp (math/lerp.glsl)
+  float growth = mix(blots, rim, 0.45);
+  // age: tile_random (tiles/tile_random.glsl)
+  float age = mix(0.45, 0.8, float(hash(tile.seed + 14u) >> 8u) * 5.9604645e-8);
+  // old: add (math/add.glsl)
+  float old = age + 0.25;
+  // grown: smooth_step (math/smooth_step.glsl)
+  float grown = smooth_step(growth, age, old);
+  // tone: luminance (channels/luminance.glsl)
+  float tone = dot(picture.xyz, vec3(0.2126, 0.7152, 0.0722));
+  // lichen: multiply (math/multiply.glsl)
+  vec3 lichen = vec3(1.0, 0.86, 0.46) * tone;
+  // weathered: lerp (math/lerp.glsl)
+  vec3 weathered = mix(fired, lichen, grown);
+  // smoothness: tile_random (tiles/tile_random.glsl)
+  float smoothness = mix(0.6, 0.85, float(hash(tile.seed + 15u) >> 8u) * 5.9604645e-8);
+  // roughness: lerp (math/lerp.glsl)
+  float roughness = mix(smoothness, 0.97, grown);
+  // surface: material (materials/material.glsl)
+  Material surface = Material(vec4(weathered, picture.w), slope, texel.w, roughness);
+  return surface;
+}
+
+// draw_tiles, of material_layer (materials/material_layer.glsl)
+Material draw_tiles(vec2 uv, ivec2 which, vec2 uv_dx, vec2 uv_dy) {
+  Tile tile;
+  vec2 tile_local_dx, tile_local_dy;
+  brick_grid(uv, which, uv_dx, uv_dy, tile, tile_local_dx, tile_local_dy);
+  float alpha;
+  Tile inner;
+  vec2 inner_local_dx, inner_local_dy;
+  layer_element_tiles(tile, tile_local_dx, tile_local_dy, alpha, inner, inner_local_dx,
+      inner_local_dy);
+  Material seen = Material(vec4(0.0), vec3(0.0, 0.0, 1.0), 0.0, 0.0);
+  if (alpha > 0.0) {
+    seen = roof_tile(inner.local, inner, inner_local_dx, inner_local_dy);
+    vec4 vector = vec4(seen.color.xyz * tint, seen.color.w * alpha);
+    vec3 vector2 = vec3(seen.normal.x * inner.right + seen.normal.y * inner.up, seen.normal.z);
+    seen = Material(vector, vector2, seen.height, seen.roughness);
+  }
+  return seen;
+}
+
+// material_layer (materials/material_layer.glsl)
+Material material_layer_tiles(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
+  Material total = Material(vec4(0.0), vec3(0.0), 0.0, 0.0);
+  for (int y = 1; y > -2; --y) {
+    for (int x = 1; x > -2; --x) {
+      if (total.color.w < 0.999) {
+        Material other = draw_tiles(uv, ivec2(x, y), uv_dx, uv_dy);
+        float product = other.color.w * (1.0 - total.color.w);
+        vec4 sum = total.color + vec4(other.color.xyz * product, product);
+        vec3 sum2 = total.normal + product * other.normal;
+        float sum3 = total.roughness + product * other.roughness;
+        total = Material(sum, sum2, total.height + product * other.height, sum3);
+      }
+    }
+  }
+  Material surface = mean(total);
+  return surface;
+}
+
+// material_over (materials/material_over.glsl)
+Material material_over_roof(Material foreground) {
+  vec3 blend = mix(vec3(0.012, 0.009, 0.007), foreground.color.xyz, foreground.color.w);
+  vec3 n = mix(vec3(0.0, 0.0, 1.0), foreground.normal, foreground.color.w);
+  vec3 product = n * inversesqrt(max(dot(n, n), 1e-20));
+  float blend2 = mix(0.95, foreground.roughness, foreground.color.w);
+  Material seen = Material(vec4(blend, 1.0), product, foreground.height * foreground.color.w,
+      blend2);
+  return seen;
+}
+
+// brick_grid (tiles/brick_grid.glsl)
+void brick_grid_moss_grid(vec2 uv, ivec2 neighbour, vec2 uv_dx, vec2 uv_dy, out Tile tile,
+    out vec2 tile_local_dx, out vec2 tile_local_dy) {
+  vec2 p = uv * 5.0;
+  int row = int(floor(p.y)) + neighbour.y;
+  uint row_bits = hash(uint(row) + 460041413u);
+  float sum = 0.37 * float(row & 1) + float(hash(row_bits - 1u) >> 8u) * 5.9604645e-8;
+  p = vec2(p.x + sum, p.y);
+  vec2 corner = floor(p) + vec2(neighbour);
+  int column = int(corner.x);
+  uint hash_value = hash(uint(column) + row_bits);
+  tile = Tile(p - corner, vec2(0.2), hash_value, vec2(1.0, 0.0), vec2(0.0, 1.0));
+  tile_local_dx = uv_dx * 5.0;
+  tile_local_dy = uv_dy * 5.0;
+}
+
+// layer_element (layers/layer_element.glsl)
+void layer_element_moss_layer(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy, out float alpha,
+    out Tile inner, out vec2 inner_local_dx, out vec2 inner_local_dy) {
+  uint seed = hash(tile.seed);
+  uint hash_value = hash(seed - 2u);
+  vec2 pose = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
+  float angle = mix(-35.0, 35.0, pose.y) * 0.017453292;
+  uint bits = hash(seed - 4u);
+  float ratio = mix(0.5, 0.9, float(bits & 65535u) * 1.5258789e-5);
+  float size = mix(0.35, 1.0, pose.x);
+  vec2 across = vec2(tile.size.y, -tile.size.x) / tile.size;
+  uint hash_value2 = hash(seed - 1u);
+  vec2 product = vec2(float(hash_value2 & 65535u), float(hash_value2 >> 16u)) * 1.5258789e-5;
+  vec2 center = mix(vec2(0.1), vec2(0.9), product);
+  vec2 p = tile.local - center;
+  float shrink = 1.0 / size;
+  vec2 into = shrink * vec2(1.0, 1.0 / ratio);
+  vec2 point = vec2(cos(angle));
+  vec2 product2 = point * into;
+  vec2 point2 = vec2(sin(angle));
+  vec2 product3 = point2 * into * across;
+  vec2 q = product2 * p + (product3 * p.yx + 0.5);
+  vec2 q_dx = tile_local_dx * product2 + tile_local_dx.yx * product3;
+  vec2 q_dy = tile_local_dy * product2 + tile_local_dy.yx * product3;
+  vec2 right = point * tile.right + point2 * tile.up;
+  vec2 up = point * tile.up - point2 * tile.right;
+  uint hash_value3 = hash(seed - 3u);
+  vec2 luck = vec2(float(hash_value3 & 65535u), float(hash_value3 >> 16u)) * 1.5258789e-5;
+  float alpha2 = coverage(q, into, q_dx, q_dy);
+  alpha = luck.y >= 0.4 ? 0.0 : alpha2;
+  inner = Tile(q, size * vec2(1.0, ratio) * tile.size, seed, right, up);
+  inner_local_dx = q_dx;
+  inner_local_dy = q_dy;
+}
+
+// draw_moss_layer, of material_layer (materials/material_layer.glsl)
+Material draw_moss_layer(vec2 uv, ivec2 which, vec2 uv_dx, vec2 uv_dy) {
+  Tile tile;
+  vec2 tile_local_dx, tile_local_dy;
+  brick_grid_moss_grid(uv, which, uv_dx, uv_dy, tile, tile_local_dx, tile_local_dy);
+  float alpha;
+  Tile inner;
+  vec2 inner_local_dx, inner_local_dy;
+  layer_element_moss_layer(tile, tile_local_dx, tile_local_dy, alpha, inner, inner_local_dx,
+      inner_local_dy);
+  Material seen = Material(vec4(0.0), vec3(0.0, 0.0, 1.0), 0.0, 0.0);
+  if (alpha > 0.0) {
+    vec4 texel = textureGrad(moss, inner.local, inner_local_dx, inner_local_dy);
+    seen = Material(vec4(texel.xyz, texel.w * alpha), vec3(0.0, 0.0, 1.0), 0.15, 1.0);
+  }
+  return seen;
+}
+
+// material_layer (materials/material_layer.glsl)
+Material material_layer_moss_layer(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
+  Material total = Material(vec4(0.0), vec3(0.0), 0.0, 0.0);
+  for (int y = 1; y > -2; --y) {
+    for (int x = 1; x > -2; --x) {
+      if (total.color.w < 0.999) {
+        Material other = draw_moss_layer(uv, ivec2(x, y), uv_dx, uv_dy);
+        float product = other.color.w * (1.0 - total.color.w);
+        vec4 sum = total.color + vec4(other.color.xyz * product, product);
+        vec3 sum2 = total.normal + product * other.normal;
+        float sum3 = total.roughness + product * other.roughness;
+        total = Material(sum, sum2, total.height + product * other.height, sum3);
+      }
+    }
+  }
+  Material surface = mean(total);
+  return surface;
+}
+
+// combine_normals (materials/combine_normals.glsl)
+vec3 combine_normals(vec3 base, vec3 detail, float strength) {
+  vec2 ratio = strength * detail.xy / max(detail.z, 0.01);
+  vec3 n = vec3(base.xy / max(base.z, 0.01) + ratio, 1.0);
+  return n * inversesqrt(dot(n, n));
+}
+
+// material_over (materials/material_over.glsl)
+Material material_over_overgrown(Material foreground, Material background, float opacity) {
+  float front = foreground.color.w * opacity;
+  float alpha = mix(background.color.w, 1.0, front);
+  float share = front / max(alpha, 1e-20);
+  vec4 vector = vec4(mix(background.color.xyz, foreground.color.xyz, share), alpha);
+  vec3 combine_normals_value = combine_normals(background.normal, foreground.normal, share);
+  float blend = mix(background.roughness, foreground.roughness, share);
+  Material seen = Material(vector, combine_normals_value,
+      background.height + share * foreground.height, blend);
+  return seen;
+}
+
+void main() {
+  vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
+  // tiles: material_layer (materials/material_layer.glsl)
+  Material tiles_surface = material_layer_tiles(uv, uv_dx, uv_dy);
+  // roof: material_over (materials/material_over.glsl)
+  Material roof = material_over_roof(tiles_surface);
+  // moss_layer: material_layer (materials/material_layer.glsl)
+  Material moss_layer_surface = material_layer_moss_layer(uv, uv_dx, uv_dy);
+  // overgrown: material_over (materials/material_over.glsl)
+  Material overgrown = material_over_overgrown(moss_layer_surface, roof, moss_amount);
+  out_color = overgrown.color;
+  out_normal = overgrown.normal;
+  out_roughness = overgrown.roughness;
+  out_height = overgrown.height;
+}
