@@ -38,13 +38,14 @@ struct Cell {
   uint seed;
 };
 
-// The cell of a square grid whose rows are moved, every second one by half and all of them at random by up to `jitter`.
-Cell grid(Point p, float cells, float jitter, uint seed) {
+// The cell that is `which` columns and rows from that of the point, in a square grid whose rows are moved, every second one by
+// half and all of them at random by up to `jitter`.
+Cell grid(Point p, ivec2 which, float cells, float jitter, uint seed) {
   p.at *= cells;
-  int row = int(floor(p.at.y));
+  int row = int(floor(p.at.y)) + which.y;
   uint row_bits = hash(uint(row) + hash(seed));
   p.at.x += 0.5 * float(row & 1) + jitter * random(row_bits - 1u);
-  vec2 corner = floor(p.at);
+  vec2 corner = floor(p.at) + vec2(which);
   return Cell(Point(p.at - corner, p.dx * cells, p.dy * cells), hash(uint(int(corner.x)) + row_bits));
 }
 
@@ -58,29 +59,45 @@ float ring(Point p) {
   return discs.x - discs.y;
 }
 
-// How much of the pixel the element covers, within its cell.
-float coverage(Point q, vec2 cell_in_q, Point local) {
+// How much of the pixel the element covers.
+float coverage(Point q, vec2 cell_in_q) {
   vec2 density = 1.0 / clamp(footprint(q), vec2(1e-5), cell_in_q);
   vec2 share = min((0.5 - abs(q.at - 0.5)) * density + 0.5, density);
-  vec2 inside = clamp((0.5 - abs(local.at - 0.5)) / clamp(footprint(local), 1e-5, 1.0) + 0.5, 0.5, 1.0);
-  vec2 covered = clamp(share / inside, 0.0, 1.0);
+  vec2 covered = clamp(share, 0.0, 1.0);
   return covered.x * covered.y;
 }
 
-// One paper in each cell: moved from the middle by up to `reach`, turned, between `least` and `most` large.
-vec4 sheet(Cell cell, float reach, float least, float most, float opacity, vec3 low, vec3 high) {
+// The paper of a cell: anywhere in it, turned, between `least` and `most` large.
+vec4 paper(Cell cell, float least, float most, float opacity, vec3 low, vec3 high) {
   uint seed = hash(cell.seed);
   vec2 turn = random2(seed, -2);
   float angle = radians(360.0) * turn.y;
   float shrink = 1.0 / mix(least, most, turn.x);
-  vec2 arm = cell.local.at - mix(vec2(0.5 - reach), vec2(0.5 + reach), random2(seed, -1));
+  vec2 arm = cell.local.at - random2(seed, -1);
   vec2 c = vec2(cos(angle) * shrink), s = sin(angle) * shrink * vec2(1.0, -1.0);
   Point q = Point(c * arm + s * arm.yx + 0.5, c * cell.local.dx + s * cell.local.dx.yx,
                   c * cell.local.dy + s * cell.local.dy.yx);
+  float alpha = coverage(q, vec2(shrink));
+  if (alpha <= 0.0) return vec4(0.0);
   vec3 color = mix(low, high, random3(cell.seed, 4)) * mix(0.75, 1.0, clamp(q.at.y, 0.0, 1.0));
-  float alpha = ring(q) * coverage(q, vec2(shrink), cell.local);
+  alpha *= ring(q);
   if (opacity < 1.0) alpha *= mix(opacity, 1.0, random2(seed, -3).x);
   return vec4(color, alpha);
+}
+
+// The papers of a grid, later cells over earlier ones; they reach into the next cell, and no further.
+vec4 sheet(Point p, float cells, float jitter, uint seed, float least, float most, float opacity, vec3 low, vec3 high) {
+  vec4 seen = vec4(0.0);
+  for (int y = 1; y >= -1; --y) {
+    for (int x = 1; x >= -1; --x) {
+      if (seen.a < 0.999) {
+        vec4 next = paper(grid(p, ivec2(x, y), cells, jitter, seed), least, most, opacity, low, high);
+        next.a *= 1.0 - seen.a;
+        seen += vec4(next.rgb * next.a, next.a);
+      }
+    }
+  }
+  return vec4(seen.rgb / max(seen.a, 1e-20), seen.a);
 }
 
 vec4 over(vec4 front, vec4 back) {
@@ -90,8 +107,8 @@ vec4 over(vec4 front, vec4 back) {
 
 void main() {
   Point p = Point(uv, dFdx(uv), dFdy(uv));
-  vec4 lower = sheet(grid(p, 20.0, 1.0, 3u), 0.2, 0.3, 0.6, 0.4, vec3(0.25, 0.4, 0.02), vec3(0.75, 0.8, 0.15));
-  vec4 middle = sheet(grid(p, 14.0, 1.0, 2u), 0.15, 0.4, 0.65, 0.4, vec3(0.02, 0.2, 0.35), vec3(0.2, 0.6, 0.9));
-  vec4 upper = sheet(grid(p, 9.0, 0.0, 1u), 0.1, 0.5, 0.75, 1.0, vec3(0.5, 0.05, 0.02), vec3(1.0, 0.55, 0.2));
+  vec4 lower = sheet(p, 20.0, 1.0, 3u, 0.4, 0.9, 0.4, vec3(0.25, 0.4, 0.02), vec3(0.75, 0.8, 0.15));
+  vec4 middle = sheet(p, 14.0, 1.0, 2u, 0.5, 0.95, 0.4, vec3(0.02, 0.2, 0.35), vec3(0.2, 0.6, 0.9));
+  vec4 upper = sheet(p, 9.0, 0.0, 1u, 0.6, 1.1, 1.0, vec3(0.5, 0.05, 0.02), vec3(1.0, 0.55, 0.2));
   out_color = over(upper, over(middle, over(lower, ground)));
 }
