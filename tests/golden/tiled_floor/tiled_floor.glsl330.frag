@@ -11,8 +11,8 @@ uniform vec3 grout;  // default vec3(0.55, 0.5, 0.44)
 // Textures
 uniform sampler2D glaze;
 uniform sampler2D glaze_relief;
-uniform sampler2D wear;
-uniform sampler2D sand;
+uniform sampler2D wear_mask;
+uniform sampler2D grit;
 
 // Outputs
 layout(location = 0) out vec4 out_color;
@@ -302,7 +302,7 @@ Material draw_worn(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
   vec2 inner_local_dx, inner_local_dy;
   layer_element_worn(tile, tile_local_dx, tile_local_dy, alpha, inner, inner_local_dx,
       inner_local_dy);
-  vec4 texel = textureGrad(wear, inner.local, inner_local_dx, inner_local_dy);
+  vec4 texel = textureGrad(wear_mask, inner.local, inner_local_dx, inner_local_dy);
   Material seen = Material(vec4(texel.xyz, texel.w * alpha), vec3(0.0, 0.0, 1.0), 0.0, 0.8, 0.0);
   return seen;
 }
@@ -389,7 +389,7 @@ void main() {
   // worn: material_layer (materials/material_layer.glsl)
   Material worn_surface = draw_worn(tiles_inner, tiles_inner_local_dx, tiles_inner_local_dy);
   // sand_color: tiled_image (images/tiled_image.glsl)
-  vec4 sand_color = texture(sand, uv * 3.0);
+  vec4 sand_color = texture(grit, uv * 3.0);
   // dirt_noise: value_noise (patterns/value_noise.glsl)
   float dirt_noise = value_noise(uv, uv_dx, uv_dy);
   // dirt: remap (math/remap.glsl)

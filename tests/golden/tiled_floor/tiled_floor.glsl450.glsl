@@ -9,8 +9,8 @@ uniform vec3 grout;  // default vec3(0.55, 0.5, 0.44)
 // Textures
 uniform sampler2D glaze;
 uniform sampler2D glaze_relief;
-uniform sampler2D wear;
-uniform sampler2D sand;
+uniform sampler2D wear_mask;
+uniform sampler2D grit;
 
 // Types
 struct tiled_floor_Tile {
@@ -303,7 +303,7 @@ tiled_floor_Material tiled_floor_draw_worn(tiled_floor_Tile tile, vec2 tile_loca
   vec2 inner_local_dx, inner_local_dy;
   tiled_floor_layer_element_worn(tile, tile_local_dx, tile_local_dy, alpha, inner, inner_local_dx,
       inner_local_dy);
-  vec4 texel = textureGrad(wear, inner.local, inner_local_dx, inner_local_dy);
+  vec4 texel = textureGrad(wear_mask, inner.local, inner_local_dx, inner_local_dy);
   tiled_floor_Material seen = tiled_floor_Material(vec4(texel.xyz, texel.w * alpha),
       vec3(0.0, 0.0, 1.0), 0.0, 0.8, 0.0);
   return seen;
@@ -396,7 +396,7 @@ void tiled_floor(vec2 uv, out vec4 color, out vec3 normal, out float roughness, 
   tiled_floor_Material worn_surface = tiled_floor_draw_worn(tiles_inner, tiles_inner_local_dx,
       tiles_inner_local_dy);
   // sand_color: tiled_image (images/tiled_image.glsl)
-  vec4 sand_color = texture(sand, uv * 3.0);
+  vec4 sand_color = texture(grit, uv * 3.0);
   // dirt_noise: value_noise (patterns/value_noise.glsl)
   float dirt_noise = tiled_floor_value_noise(uv, uv_dx, uv_dy);
   // dirt: remap (math/remap.glsl)
