@@ -110,6 +110,7 @@ set(TEXGRAPH_STDLIB_BLOCKS
   tiles/tile_choice.glsl
   tiles/tile_distance.glsl
   tiles/tile_image.glsl
+  tiles/tile_near.glsl
   tiles/tile_parts.glsl
   tiles/tile_random.glsl
   tiles/tile_random_color.glsl

@@ -11,6 +11,7 @@ namespace texgraph::passes {
 namespace {
 
 using ir::Builder;
+using ir::ConstId;
 using ir::Op;
 using ir::TypeId;
 using ir::ValueId;
@@ -214,6 +215,56 @@ class OpRules {
   std::vector<Shape> shapes_;
 };
 
+// --- What calls give ---
+
+// The words of component or member `index` of a constant.
+std::span<const uint32_t> PartOf(const ir::Module& module, ConstId id, uint32_t index) {
+  const TypeId type = module.constant(id).type;
+  size_t first = 0;
+  for (uint32_t i = 0; i < index; ++i) {
+    first += module.types.Words(module.types.ElementType(type, i));
+  }
+  return module.Words(id).subspan(first, module.types.Words(module.types.ElementType(type, index)));
+}
+
+// Part `index` of `aggregate`, where that is what a call gives and its function always gives the
+// same constant there. So what a layer without opacity covers is known where it is blended.
+ValueId ConstantOfCall(Builder& builder, ValueId aggregate, uint32_t index) {
+  const ir::Module& module = builder.module();
+  // From the part to the call: at most a component, of a member, of a result.
+  constexpr size_t kMaxSteps = 8;
+  std::array<uint32_t, kMaxSteps> steps;
+  size_t count = 0;
+  steps[count++] = index;
+  while (builder[aggregate].op == Op::kExtract && count < kMaxSteps) {
+    steps[count++] = builder[aggregate].aux;
+    aggregate = builder.function().Operands(aggregate)[0];
+  }
+  if (builder[aggregate].op != Op::kCall) return ValueId();
+  const ir::Function& callee = module[ir::FunctionId(builder[aggregate].aux)];
+  const uint32_t result = callee.results.size() == 1 ? 0 : steps[--count];
+  if (!callee.body.valid() || result >= callee.Body().results.size()) return ValueId();
+  ValueId at = callee.Body().results[result];
+  while (count > 0) {
+    const ir::Inst& inst = callee[at];
+    if (inst.op == Op::kConst) break;
+    if (inst.op != Op::kConstruct && !(inst.op == Op::kSplat && ir::IsVector(inst.type))) {
+      return ValueId();
+    }
+    const uint32_t step = steps[--count];
+    at = callee.Operands(inst)[inst.op == Op::kSplat ? 0 : step];
+  }
+  if (callee[at].op != Op::kConst) return ValueId();
+  ConstId constant(callee[at].aux);
+  while (count > 0) {
+    const uint32_t step = steps[--count];
+    const TypeId part = module.types.ElementType(module.constant(constant).type, step);
+    std::span<const uint32_t> words = PartOf(module, constant, step);
+    constant = builder.module().Intern(part, std::vector<uint32_t>(words.begin(), words.end()));
+  }
+  return builder.Const(constant);
+}
+
 }  // namespace
 
 std::span<const Rule> AllRules() { return kRules; }
@@ -278,7 +329,8 @@ bool Fits(RuleTypes types, TypeId type) {
 }
 
 ValueId SimplifyRules::Apply(Builder& builder, Op op, TypeId type,
-                             std::span<const ValueId> operands, uint32_t) const {
+                             std::span<const ValueId> operands, uint32_t aux) const {
+  if (op == Op::kExtract) return ConstantOfCall(builder, operands[0], aux);
   if (depth_ >= kMaxDepth || operands.empty() || operands.size() > kMaxOperands) return ValueId();
   // The operands may lie in the function, which grows while a replacement is made.
   std::array<ValueId, kMaxOperands> held;

@@ -2,6 +2,7 @@
 #include "compiler/passes/simplify_function.h"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 #include "compiler/passes/simplify_compact.h"
@@ -12,10 +13,13 @@ namespace {
 using ir::ConstId;
 using ir::FunctionId;
 using ir::Op;
+using ir::TypeId;
 using ir::ValueId;
 
 // A function of straight code that costs no more is copied to where it is called.
 constexpr int kMaxInlinedCost = 4;
+// Operations of one that is copied because something that it gets is nothing.
+constexpr size_t kMaxInlinedForNothing = 64;
 
 // Copies a body; calls follow the new signatures, and the sides of an if know its condition.
 class SimplifyRebuilder : public ir::Rebuilder {
@@ -31,6 +35,7 @@ class SimplifyRebuilder : public ir::Rebuilder {
 
  private:
   bool IsConstantCall(const ir::Function& callee);
+  bool IsCallWithNothing(const ir::Function& callee);
 
   const std::vector<CopiedFunction>& copies_;
   std::vector<ValueId> arguments_;  // of one call at a time
@@ -68,7 +73,8 @@ void SimplifyRebuilder::CopyCall(ValueId old, std::span<ValueId> results) {
   const uint32_t new_count = static_cast<uint32_t>(function.results.size());
   std::vector<ValueId> inlined;
   ValueId call;
-  const bool is_inlined = copy.is_inlined || IsConstantCall(function);
+  const bool is_inlined =
+      copy.is_inlined || IsConstantCall(function) || IsCallWithNothing(function);
   if (is_inlined) {
     inlined.resize(new_count);
     CopyInline(function, arguments_, to_, inlined);
@@ -91,6 +97,33 @@ bool SimplifyRebuilder::IsConstantCall(const ir::Function& callee) {
            shape != ir::OpShape::kLeaf;
   };
   return !arguments_.empty() && std::ranges::all_of(arguments_, is_constant) &&
+         std::ranges::all_of(callee.Body().body, is_plain);
+}
+
+// With a vector of which a component is known to be 0, an alpha say, products in the callee vanish,
+// and whatever else they are made of.
+bool SimplifyRebuilder::IsCallWithNothing(const ir::Function& callee) {
+  auto is_plain = [&](ValueId v) {
+    const Op op = callee[v].op;
+    const ir::OpShape shape = ir::Info(op).shape;
+    return op == Op::kCall || (shape != ir::OpShape::kControl && shape != ir::OpShape::kCalling &&
+                               shape != ir::OpShape::kLeaf);
+  };
+  auto has_zero = [&](ValueId argument) {
+    const TypeId type = to_.TypeOf(argument);
+    const Op op = to_[argument].op;
+    if (!ir::IsVector(type) || ir::IsScalar(type) || ir::ScalarOf(type) != ir::Scalar::kFloat ||
+        (op != Op::kCall && op != Op::kExtract && op != Op::kConstruct)) {
+      return false;
+    }
+    for (uint32_t i = 0; i < ir::Width(type); ++i) {
+      const ValueId part = to_.Extract(argument, i);
+      if (to_.IsConst(part) && std::bit_cast<float>(to_.ConstWords(part)[0]) == 0) return true;
+    }
+    return false;
+  };
+  return callee.Body().body.size() <= kMaxInlinedForNothing &&
+         std::ranges::any_of(arguments_, has_zero) &&
          std::ranges::all_of(callee.Body().body, is_plain);
 }
 

@@ -96,6 +96,9 @@ void layer(const int fit, const int turn, const int flip, const int neighbours, 
                inner_rotation, inner_scale);
   if (neighbours > 0) {
     // From the last to the first, each under what is there already, until nothing shows through.
+    // Where a pixel holds whole tiles their elements lie beside each other in it, not on each other.
+    vec2 tiles = footprint(tile(ivec2(0)).local);
+    float on = clamp(2.0 - 2.0 * max(tiles.x, tiles.y), 0.0, 1.0);
     color = vec4(0.0);
     for (int y = neighbours; y >= -neighbours; --y) {
       for (int x = neighbours; x >= -neighbours; --x) {
@@ -105,12 +108,13 @@ void layer(const int fit, const int turn, const int flip, const int neighbours, 
           Tile c;
           Tile d;
           vec4 other = draw(ivec2(x, y), fit, turn, flip, stream, false, a, b, c, d);
-          float below = other.a * (1.0 - color.a);
+          float below = other.a * (1.0 - color.a * on);
           color += vec4(other.rgb * below, below);
         }
       }
     }
     color.rgb /= max(color.a, 1e-20);
+    color.a = min(color.a, 1.0);
   }
   if (fade_size > 0.0) {
     Tile here = tile(ivec2(0));

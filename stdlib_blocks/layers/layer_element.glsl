@@ -87,7 +87,8 @@ vec2 tilted(vec2 tilt, vec2 by) {
 /// @param cut whether the element ends at the border of its tile, where the next tile goes on;
 ///   else it is all there, and the tiles around have to be looked at as well @default true
 /// @param alpha the share of the pixel that the element covers, times its opacity; 0 where it is
-///   not there
+///   not there. Of an element that is cut it passes into the mean of all tiles where a pixel grows
+///   as large as a tile
 /// @param inner the frame of the image, turned and flipped with it, as a tile for child layers
 /// @param inner_position the tile moved as the image is, for children that follow its position
 ///   alone
@@ -176,5 +177,13 @@ void layer_element(Tile tile, vec2 position_min, vec2 position_max, vec2 scale, 
   alpha = mix(opacity.x, opacity.y, luck.x) * coverage(q, along * into, tile.local, cut);
   if (chance < 1.0 && luck.y >= chance) {
     alpha = 0.0;
+  }
+  if (cut) {
+    // Where a pixel holds whole tiles it shows their mean.
+    vec2 width = footprint(tile.local);
+    float far = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
+    float squares = (dot(scale, scale) + scale.x * scale.y) / 3.0;
+    float area = min(squares * mix(stretch.x, stretch.y, 0.5) / (along.x * along.y), 1.0);
+    alpha = mix(alpha, chance * mix(opacity.x, opacity.y, 0.5) * area, far);
   }
 }

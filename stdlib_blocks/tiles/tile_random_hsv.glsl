@@ -1,9 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
+// The colour varied by three random numbers. Where a pixel holds many tiles the numbers go to their
+// means; hues that lie apart mix to a colour of less saturation there: a full circle of hues to the
+// grey half way between the colour's greatest and least component.
+vec3 varied(Tile tile, vec3 color, vec2 hue, vec2 saturation, vec2 value, int stream) {
+  float near = tile_near(tile);
+  vec3 luck = mix(vec3(0.5), random3(tile.seed, stream), near);
+  vec3 one = hsv_adjust(color, mix(hue.x, hue.y, luck.x), mix(saturation.x, saturation.y, luck.y),
+                        mix(value.x, value.y, luck.z));
+  if (hue.x == hue.y) {
+    return one;
+  }
+  float reach = min(radians(0.5 * (hue.y - hue.x)), 3.1415926);
+  float left = sin(reach) / max(reach, 1e-6);
+  float grey = 0.5 * (max(max(one.r, one.g), one.b) + min(min(one.r, one.g), one.b));
+  return mix(mix(vec3(grey), one, left), one, near);
+}
+
 /// Varies a colour from tile to tile: its hue is turned, and its saturation and value are
 /// multiplied, by numbers evenly spread between limits.
 /// Connected to the colour of a layer's picture, it gives each element a tint of its own. As
 /// `hsv_adjust` it works on linear light: values from 0.5 to 2 run from half the light to twice
-/// that.
+/// that. Where a pixel holds many tiles it is their mean; see `tile_near`.
 /// @source the brick shader generator, section 3.1: parameters with a minimum and a maximum
 /// @param tile the tile
 /// @param color what is varied, linear light, not negative; alpha, straight, stays
@@ -13,9 +30,7 @@
 /// @param value least and greatest factor of the value @default vec2(1) @range 0 1000 @ordered
 /// @param stream blocks with different streams vary independently of each other @default 0
 vec3 tile_random_hsv(Tile tile, vec3 color, vec2 hue, vec2 saturation, vec2 value, int stream) {
-  vec3 luck = random3(tile.seed, stream);
-  return hsv_adjust(color, mix(hue.x, hue.y, luck.x), mix(saturation.x, saturation.y, luck.y),
-                    mix(value.x, value.y, luck.z));
+  return varied(tile, color, hue, saturation, value, stream);
 }
 
 /// @param tile the tile
@@ -26,7 +41,5 @@ vec3 tile_random_hsv(Tile tile, vec3 color, vec2 hue, vec2 saturation, vec2 valu
 /// @param value least and greatest factor of the value @default vec2(1) @range 0 1000 @ordered
 /// @param stream blocks with different streams vary independently of each other @default 0
 vec4 tile_random_hsv(Tile tile, vec4 color, vec2 hue, vec2 saturation, vec2 value, int stream) {
-  vec3 luck = random3(tile.seed, stream);
-  return hsv_adjust(color, mix(hue.x, hue.y, luck.x), mix(saturation.x, saturation.y, luck.y),
-                    mix(value.x, value.y, luck.z));
+  return vec4(varied(tile, color.rgb, hue, saturation, value, stream), color.a);
 }

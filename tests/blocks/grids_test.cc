@@ -118,7 +118,7 @@ std::vector<Vector> SpreadPoints(int count) {
 
 class GridsTest : public testing::TestWithParam<Grid> {};
 
-// Every point of a tile has the tile's seed; no two tiles share one.
+// O34. Every point of a tile has the tile's seed; no two tiles share one.
 TEST_P(GridsTest, OneSeedForEachTile) {
   for (bool toroidal : {false, true}) {
     Tiling tiling = Evaluate(GetParam(), toroidal, Lattice(-1, 2, 300));
@@ -242,8 +242,8 @@ TEST_P(GridsTest, EdgeIsTheDistanceToOtherTiles) {
   EXPECT_GT(greatest, 0.01);
 }
 
-// The tiles of the border u = 0 go on at u = 1. Coordinates are binary fractions, so that moving
-// them by whole numbers is exact.
+// O35. The tiles of the border u = 0 go on at u = 1. Coordinates are binary fractions, so that
+// moving them by whole numbers is exact.
 TEST_P(GridsTest, ToroidalGridsRepeat) {
   std::vector<Vector> uv;
   for (int y = 0; y < 64; ++y) {

@@ -42,7 +42,7 @@ Values Tiles(const Grid& grid, const std::vector<Vector>& uv) {
   return outputs.empty() ? Values{} : outputs["tile"];
 }
 
-// Every point of one brick has the same number and the same seed, and it runs from end to end:
+// O34. Every point of one brick has the same number and the same seed, and it runs from end to end:
 // walking along a row, the number changes where the local coordinate starts again, and only there.
 TEST(BrickGridTest, OneIdentityForEachBrick) {
   for (const Grid& grid : {Grid{}, Grid{8, 4, 0.25, 0, false}, Grid{7, 5, 0.5, 1, false},
@@ -113,7 +113,7 @@ TEST(BrickGridTest, JitterMovesRows) {
   EXPECT_GT(high, 0.35);
 }
 
-// A toroidal grid repeats with every unit; then a texture of it has no border.
+// O35. A toroidal grid repeats with every unit; then a texture of it has no border.
 TEST(BrickGridTest, ToroidalGridsRepeat) {
   for (Grid grid : {Grid{6, 4, 0.5, 0.3, true}, Grid{5, 7, 0.5, 0, true}}) {
     std::vector<Vector> uv = Lattice(0, 1, 50);
@@ -257,6 +257,7 @@ Values Mortar(const std::string& grid, double width, const std::vector<Point>& p
   return outputs.empty() ? Floats(std::vector<double>(points.size(), NAN)) : outputs["height"];
 }
 
+// O37
 TEST(MortarTest, IsTheBoxIntegralAtEveryPixelSize) {
   constexpr double kWidth = 0.02;
   for (double pixel : {0.0007, 0.01, 0.05, 0.3, 1.7}) {
@@ -279,8 +280,8 @@ TEST(MortarTest, IsTheBoxIntegralAtEveryPixelSize) {
   }
 }
 
-// Measured along lines through the middle of bricks: the same width in both directions, for long
-// bricks and for square ones.
+// O37. Measured along lines through the middle of bricks: the same width in both directions, for
+// long bricks and for square ones.
 TEST(MortarTest, WidthIsConstantInTextureSpace) {
   constexpr double kWidth = 0.015;
   constexpr int kSamples = 30000;

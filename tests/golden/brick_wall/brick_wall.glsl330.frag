@@ -94,7 +94,10 @@ void layer_element_brick_layer(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy
   vec2 q = point * p + (product2 * p.yx + 0.5);
   vec2 q_dx = tile_local_dx * point + tile_local_dx.yx * product2;
   vec2 q_dy = tile_local_dy * point + tile_local_dy.yx * product2;
-  alpha = coverage(q, vec2(shrink), tile.local, q_dx, q_dy, tile_local_dx, tile_local_dy);
+  float alpha2 = coverage(q, vec2(shrink), tile.local, q_dx, q_dy, tile_local_dx, tile_local_dy);
+  vec2 width = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
+  float far = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
+  alpha = mix(alpha2, 1.0, far);
   inner = Tile(q, size * tile.size, seed);
   inner_local_dx = q_dx;
   inner_local_dy = q_dy;
@@ -124,7 +127,10 @@ void layer_element_soot_layer(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy,
   float coverage_value = coverage(q, vec2(shrink), tile.local, q_dx, q_dy, tile_local_dx,
       tile_local_dy);
   float alpha2 = luck.x * coverage_value;
-  alpha = luck.y >= 0.7 ? 0.0 : alpha2;
+  alpha2 = luck.y >= 0.7 ? 0.0 : alpha2;
+  vec2 width = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
+  float far = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
+  alpha = mix(alpha2, 0.35, far);
   inner = Tile(q, size * tile.size, seed);
   inner_local_dx = q_dx;
   inner_local_dy = q_dy;
@@ -156,7 +162,11 @@ void layer_element_moss_layer(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy,
   float coverage_value = coverage(q, along * shrink, tile.local, q_dx, q_dy, tile_local_dx,
       tile_local_dy);
   float alpha2 = mix(0.6, 1.0, luck.x) * coverage_value;
-  alpha = luck.y >= 0.35 ? 0.0 : alpha2;
+  alpha2 = luck.y >= 0.35 ? 0.0 : alpha2;
+  vec2 width = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
+  float far = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
+  float area = min(0.52 / (along.x * along.y), 1.0);
+  alpha = mix(alpha2, 0.28 * area, far);
   inner = Tile(q, vec2(size * side), seed);
   inner_local_dx = q_dx;
   inner_local_dy = q_dy;

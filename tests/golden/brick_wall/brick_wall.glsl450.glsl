@@ -89,8 +89,11 @@ void brick_wall_layer_element_brick_layer(brick_wall_Tile tile, vec2 tile_local_
   vec2 q = point * p + (product2 * p.yx + 0.5);
   vec2 q_dx = tile_local_dx * point + tile_local_dx.yx * product2;
   vec2 q_dy = tile_local_dy * point + tile_local_dy.yx * product2;
-  alpha = brick_wall_coverage(q, vec2(shrink), tile.local, q_dx, q_dy, tile_local_dx,
+  float alpha2 = brick_wall_coverage(q, vec2(shrink), tile.local, q_dx, q_dy, tile_local_dx,
       tile_local_dy);
+  vec2 width = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
+  float far = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
+  alpha = mix(alpha2, 1.0, far);
   inner = brick_wall_Tile(q, size * tile.size, seed);
   inner_local_dx = q_dx;
   inner_local_dy = q_dy;
@@ -121,7 +124,10 @@ void brick_wall_layer_element_soot_layer(brick_wall_Tile tile, vec2 tile_local_d
   float coverage_value = brick_wall_coverage(q, vec2(shrink), tile.local, q_dx, q_dy, tile_local_dx,
       tile_local_dy);
   float alpha2 = luck.x * coverage_value;
-  alpha = luck.y >= 0.7 ? 0.0 : alpha2;
+  alpha2 = luck.y >= 0.7 ? 0.0 : alpha2;
+  vec2 width = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
+  float far = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
+  alpha = mix(alpha2, 0.35, far);
   inner = brick_wall_Tile(q, size * tile.size, seed);
   inner_local_dx = q_dx;
   inner_local_dy = q_dy;
@@ -154,7 +160,11 @@ void brick_wall_layer_element_moss_layer(brick_wall_Tile tile, vec2 tile_local_d
   float coverage_value = brick_wall_coverage(q, along * shrink, tile.local, q_dx, q_dy,
       tile_local_dx, tile_local_dy);
   float alpha2 = mix(0.6, 1.0, luck.x) * coverage_value;
-  alpha = luck.y >= 0.35 ? 0.0 : alpha2;
+  alpha2 = luck.y >= 0.35 ? 0.0 : alpha2;
+  vec2 width = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
+  float far = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
+  float area = min(0.52 / (along.x * along.y), 1.0);
+  alpha = mix(alpha2, 0.28 * area, far);
   inner = brick_wall_Tile(q, vec2(size * side), seed);
   inner_local_dx = q_dx;
   inner_local_dy = q_dy;

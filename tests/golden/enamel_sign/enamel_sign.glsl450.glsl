@@ -429,7 +429,10 @@ void enamel_sign_layer_element_heads(enamel_sign_Tile tile, vec2 tile_local_dx, 
   vec2 q = 9.523809 * p + 0.5;
   vec2 q_dx = tile_local_dx * 9.523809;
   vec2 q_dy = tile_local_dy * 9.523809;
-  alpha = enamel_sign_coverage(q, tile.local, q_dx, q_dy, tile_local_dx, tile_local_dy);
+  float alpha2 = enamel_sign_coverage(q, tile.local, q_dx, q_dy, tile_local_dx, tile_local_dy);
+  vec2 width = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
+  float far = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
+  alpha = mix(alpha2, 0.011024999, far);
   inner = enamel_sign_Tile(q, 0.105 * tile.size, seed);
   inner_local_dx = q_dx;
   inner_local_dy = q_dy;
@@ -486,7 +489,10 @@ void enamel_sign_layer_element_slots(enamel_sign_Tile tile, vec2 tile_local_dx, 
   vec2 q = point * p + (product * p.yx + 0.5);
   vec2 q_dx = tile_local_dx * point + tile_local_dx.yx * product;
   vec2 q_dy = tile_local_dy * point + tile_local_dy.yx * product;
-  alpha = enamel_sign_coverage(q, tile.local, q_dx, q_dy, tile_local_dx, tile_local_dy);
+  float alpha2 = enamel_sign_coverage(q, tile.local, q_dx, q_dy, tile_local_dx, tile_local_dy);
+  vec2 width = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
+  float far = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
+  alpha = mix(alpha2, 0.011024999, far);
   inner = enamel_sign_Tile(q, 0.105 * tile.size, seed);
   inner_local_dx = q_dx;
   inner_local_dy = q_dy;

@@ -221,7 +221,21 @@ void herringbone_parquet(vec2 uv, out vec4 color, out float roughness, out float
   vec2 sheet_dx = vec2(0.0, depth_dx);
   vec2 sheet_dy = vec2(0.0, depth_dy);
   // rings: value_noise (patterns/value_noise.glsl)
-  float rings = herringbone_parquet_value_noise2(sheet, vec2(1.0, 2.6), 3, sheet_dx, sheet_dy);
+  vec2 product = sheet * vec2(1.0, 2.6);
+  vec2 whole = floor(product);
+  vec2 difference = product - whole;
+  vec2 product2 = difference * difference * difference
+      * (difference * (difference * 6.0 - 15.0) + 10.0);
+  uvec2 numbers = uvec2(ivec2(whole));
+  uint sum = numbers.x + 1u;
+  uvec4 numbers2 = herringbone_parquet_hash(uvec2(numbers.y, numbers.y + 1u)
+      + herringbone_parquet_hash(3u)).xxyy;
+  uvec4 bits = herringbone_parquet_hash(uvec4(numbers.x, sum, numbers.x, sum) + numbers2) >> 8u;
+  vec4 product3 = vec4(bits) * 5.9604645e-8;
+  float blend = mix(product3.x, product3.y, product2.x);
+  vec2 product4 = sqrt(sheet_dx * sheet_dx + sheet_dy * sheet_dy) * vec2(1.0, 2.6);
+  float blend2 = mix(blend, mix(product3.z, product3.w, product2.x), product2.y);
+  float rings = mix(blend2, 0.5, clamp(2.0 * max(product4.x, product4.y) - 1.0, 0.0, 1.0));
   // fibre: value_noise (patterns/value_noise.glsl)
   float fibre = herringbone_parquet_value_noise2(place, vec2(1.4, 44.0), 4, place_dx, place_dy);
   // strands: value_noise (patterns/value_noise.glsl)

@@ -47,6 +47,13 @@ vec3 random3(uint seed) {
   return vec3(product, float(hash(bits) >> 8u) * 5.9604645e-8);
 }
 
+// tile_near (tiles/tile_near.glsl)
+float tile_near(vec2 tile_local_dx, vec2 tile_local_dy) {
+  vec2 product = 0.25 * (tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
+  vec2 part = 1.0 + product;
+  return 1.0 / (part.x * part.y);
+}
+
 // coverage, of layer_element (layers/layer_element.glsl)
 float coverage(vec2 q, vec2 cell_in_q, vec2 local, vec2 q_dx, vec2 q_dy, vec2 local_dx,
     vec2 local_dy) {
@@ -74,7 +81,10 @@ void layer_element_brick(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy, out 
   vec2 q = point * p + (product * p.yx + 0.5);
   vec2 q_dx = tile_local_dx * point + tile_local_dx.yx * product;
   vec2 q_dy = tile_local_dy * point + tile_local_dy.yx * product;
-  alpha = coverage(q, vec2(shrink), tile.local, q_dx, q_dy, tile_local_dx, tile_local_dy);
+  float alpha2 = coverage(q, vec2(shrink), tile.local, q_dx, q_dy, tile_local_dx, tile_local_dy);
+  vec2 width = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
+  float far = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
+  alpha = mix(alpha2, 0.99023324, far);
   inner = Tile(q, size * tile.size, seed);
   inner_local_dx = q_dx;
   inner_local_dy = q_dy;
@@ -117,7 +127,8 @@ float rectangle(vec2 uv, vec2 size, vec2 uv_dx, vec2 uv_dy) {
   vec2 width = max(sqrt(uv_dx * uv_dx + uv_dy * uv_dy), 1e-7);
   vec2 share = min((0.5 * size - abs(uv - 0.5)) / width + 0.5, size / width);
   share = clamp(share, 0.0, 1.0);
-  return share.x * share.y;
+  float far = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
+  return mix(share.x * share.y, min(size.x * size.y, 1.0), far);
 }
 
 // brick_face (function of the graph)
@@ -171,7 +182,11 @@ void layer_element_lime(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy, out f
   float coverage_value = coverage(q, along * shrink, tile.local, q_dx, q_dy, tile_local_dx,
       tile_local_dy);
   float alpha2 = mix(0.2, 0.8, luck.x) * coverage_value;
-  alpha = luck.y >= 0.5 ? 0.0 : alpha2;
+  alpha2 = luck.y >= 0.5 ? 0.0 : alpha2;
+  vec2 width = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
+  float far = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
+  float area = min(0.39 / (along.x * along.y), 1.0);
+  alpha = mix(alpha2, 0.25 * area, far);
   inner = Tile(q, vec2(size * side), seed);
   inner_local_dx = q_dx;
   inner_local_dy = q_dy;
@@ -187,7 +202,10 @@ float circle(vec2 uv, float radius, vec2 uv_dx, vec2 uv_dy) {
   float greatest2 = max(sqrt(from_center_dx * from_center_dx + from_center_dy * from_center_dy),
       1e-7);
   float width = 0.08 + greatest2;
-  return clamp((radius - from_center) / width + 0.5, 0.0, 1.0);
+  float near = clamp((radius - from_center) / width + 0.5, 0.0, 1.0);
+  vec2 pixel = sqrt(uv_dx * uv_dx + uv_dy * uv_dy);
+  float far = clamp(2.0 * max(pixel.x, pixel.y) - 1.0, 0.0, 1.0);
+  return mix(near, min(3.1415927 * radius * radius, 1.0), far);
 }
 
 // draw, of layer (layers/layer.glsl)
@@ -218,7 +236,8 @@ void main() {
   vec2 grid_local_dx, grid_local_dy;
   brick_grid(uv, uv_dx, uv_dy, grid, grid_local_dx, grid_local_dy);
   // shade: tile_random_color (tiles/tile_random_color.glsl)
-  vec3 shade = mix(vec3(0.75, 0.8, 0.8), vec3(1.4, 1.05, 1.0), random3(grid.seed));
+  vec3 blend2 = mix(vec3(0.5), random3(grid.seed), tile_near(grid_local_dx, grid_local_dy));
+  vec3 shade = mix(vec3(0.75, 0.8, 0.8), vec3(1.4, 1.05, 1.0), blend2);
   // tint: multiply (math/multiply.glsl)
   vec3 tint = shade * clay;
   // brick: layer (layers/layer.glsl)

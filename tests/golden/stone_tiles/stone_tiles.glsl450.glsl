@@ -119,7 +119,7 @@ void stone_tiles(vec2 uv, out vec4 color, out float height) {
   // toned: multiply (math/multiply.glsl)
   vec3 toned = stone.xyz * tone;
   // depth: tile_distance (tiles/tile_distance.glsl)
-  vec2 product = (0.5 - abs(grid.local - 0.5)) * grid.size;
+  vec2 product = (0.5 - abs(grid.local - 0.5)) * vec2(0.25, 0.16666667);
   float depth = min(product.x, product.y);
   // bites: value_noise (patterns/value_noise.glsl)
   float bites = stone_tiles_value_noise(uv, vec2(50.0), 6, uv_dx, uv_dy);
