@@ -78,7 +78,10 @@ float circle(vec2 uv, float radius, vec2 uv_dx, vec2 uv_dy) {
   float from_center_dx = dot(difference, uv_dx) / greatest;
   float from_center_dy = dot(difference, uv_dy) / greatest;
   float width = max(sqrt(from_center_dx * from_center_dx + from_center_dy * from_center_dy), 1e-7);
-  return clamp((radius - from_center) / width + 0.5, 0.0, 1.0);
+  float near = clamp((radius - from_center) / width + 0.5, 0.0, 1.0);
+  vec2 pixel = sqrt(uv_dx * uv_dx + uv_dy * uv_dy);
+  float far = clamp(2.0 * max(pixel.x, pixel.y) - 1.0, 0.0, 1.0);
+  return mix(near, min(3.1415927 * radius * radius, 1.0), far);
 }
 
 // random3 (random/random3.glsl)
@@ -86,6 +89,13 @@ vec3 random3(uint seed) {
   uint bits = hash(seed + 4u);
   vec2 product = vec2(float(bits & 65535u), float(bits >> 16u)) * 1.5258789e-5;
   return vec3(product, float(hash(bits) >> 8u) * 5.9604645e-8);
+}
+
+// tile_near (tiles/tile_near.glsl)
+float tile_near(vec2 tile_local_dx, vec2 tile_local_dy) {
+  vec2 product = 0.25 * (tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
+  vec2 part = 1.0 + product;
+  return 1.0 / (part.x * part.y);
 }
 
 // draw_sheet_1, of layer (layers/layer.glsl)
@@ -101,27 +111,30 @@ vec4 draw_sheet_1(vec2 uv, ivec2 which, vec2 uv_dx, vec2 uv_dy) {
   vec4 color = vec4(0.0);
   if (alpha > 0.0) {
     float circle_value = circle(inner.local, 0.45, inner_local_dx, inner_local_dy);
-    vec3 blend = mix(vec3(0.5, 0.05, 0.02), vec3(1.0, 0.55, 0.2), random3(tile.seed));
+    vec3 blend = mix(vec3(0.5), random3(tile.seed), tile_near(tile_local_dx, tile_local_dy));
+    vec3 blend2 = mix(vec3(0.5, 0.05, 0.02), vec3(1.0, 0.55, 0.2), blend);
     float product = (circle_value - circle(inner.local, 0.12, inner_local_dx, inner_local_dy))
         * alpha;
-    color = vec4(mix(0.75, 1.0, clamp(inner.local.y, 0.0, 1.0)) * blend, product);
+    color = vec4(mix(0.75, 1.0, clamp(inner.local.y, 0.0, 1.0)) * blend2, product);
   }
   return color;
 }
 
 // layer (layers/layer.glsl)
-vec4 layer_sheet_1(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
+vec4 layer_sheet_1(vec2 uv, vec2 uv_dx, vec2 uv_dy, vec2 tile_local_dx, vec2 tile_local_dy) {
+  vec2 tiles = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
+  float on = clamp(2.0 - 2.0 * max(tiles.x, tiles.y), 0.0, 1.0);
   vec4 color = vec4(0.0);
   for (int y = 1; y > -2; --y) {
     for (int x = 1; x > -2; --x) {
       if (color.w < 0.999) {
         vec4 other = draw_sheet_1(uv, ivec2(x, y), uv_dx, uv_dy);
-        float below = other.w * (1.0 - color.w);
+        float below = other.w * (1.0 - color.w * on);
         color += vec4(other.xyz * below, below);
       }
     }
   }
-  color = vec4(color.xyz / max(color.w, 1e-20), color.w);
+  color = vec4(color.xyz / max(color.w, 1e-20), min(color.w, 1.0));
   return color;
 }
 
@@ -179,27 +192,30 @@ vec4 draw_sheet_2(vec2 uv, ivec2 which, vec2 uv_dx, vec2 uv_dy) {
   vec4 color = vec4(0.0);
   if (alpha > 0.0) {
     float circle_value = circle(inner.local, 0.45, inner_local_dx, inner_local_dy);
-    vec3 blend = mix(vec3(0.02, 0.2, 0.35), vec3(0.2, 0.6, 0.9), random3(tile.seed));
+    vec3 blend = mix(vec3(0.5), random3(tile.seed), tile_near(tile_local_dx, tile_local_dy));
+    vec3 blend2 = mix(vec3(0.02, 0.2, 0.35), vec3(0.2, 0.6, 0.9), blend);
     float product = (circle_value - circle(inner.local, 0.12, inner_local_dx, inner_local_dy))
         * alpha;
-    color = vec4(mix(0.75, 1.0, clamp(inner.local.y, 0.0, 1.0)) * blend, product);
+    color = vec4(mix(0.75, 1.0, clamp(inner.local.y, 0.0, 1.0)) * blend2, product);
   }
   return color;
 }
 
 // layer (layers/layer.glsl)
-vec4 layer_sheet_2(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
+vec4 layer_sheet_2(vec2 uv, vec2 uv_dx, vec2 uv_dy, vec2 tile_local_dx, vec2 tile_local_dy) {
+  vec2 tiles = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
+  float on = clamp(2.0 - 2.0 * max(tiles.x, tiles.y), 0.0, 1.0);
   vec4 color = vec4(0.0);
   for (int y = 1; y > -2; --y) {
     for (int x = 1; x > -2; --x) {
       if (color.w < 0.999) {
         vec4 other = draw_sheet_2(uv, ivec2(x, y), uv_dx, uv_dy);
-        float below = other.w * (1.0 - color.w);
+        float below = other.w * (1.0 - color.w * on);
         color += vec4(other.xyz * below, below);
       }
     }
   }
-  color = vec4(color.xyz / max(color.w, 1e-20), color.w);
+  color = vec4(color.xyz / max(color.w, 1e-20), min(color.w, 1.0));
   return color;
 }
 
@@ -242,38 +258,50 @@ vec4 draw_sheet_3(vec2 uv, ivec2 which, vec2 uv_dx, vec2 uv_dy) {
   vec4 color = vec4(0.0);
   if (alpha > 0.0) {
     float circle_value = circle(inner.local, 0.45, inner_local_dx, inner_local_dy);
-    vec3 blend = mix(vec3(0.25, 0.4, 0.02), vec3(0.75, 0.8, 0.15), random3(tile.seed));
+    vec3 blend = mix(vec3(0.5), random3(tile.seed), tile_near(tile_local_dx, tile_local_dy));
+    vec3 blend2 = mix(vec3(0.25, 0.4, 0.02), vec3(0.75, 0.8, 0.15), blend);
     float product = (circle_value - circle(inner.local, 0.12, inner_local_dx, inner_local_dy))
         * alpha;
-    color = vec4(mix(0.75, 1.0, clamp(inner.local.y, 0.0, 1.0)) * blend, product);
+    color = vec4(mix(0.75, 1.0, clamp(inner.local.y, 0.0, 1.0)) * blend2, product);
   }
   return color;
 }
 
 // layer (layers/layer.glsl)
-vec4 layer_sheet_3(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
+vec4 layer_sheet_3(vec2 uv, vec2 uv_dx, vec2 uv_dy, vec2 tile_local_dx, vec2 tile_local_dy) {
+  vec2 tiles = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
+  float on = clamp(2.0 - 2.0 * max(tiles.x, tiles.y), 0.0, 1.0);
   vec4 color = vec4(0.0);
   for (int y = 1; y > -2; --y) {
     for (int x = 1; x > -2; --x) {
       if (color.w < 0.999) {
         vec4 other = draw_sheet_3(uv, ivec2(x, y), uv_dx, uv_dy);
-        float below = other.w * (1.0 - color.w);
+        float below = other.w * (1.0 - color.w * on);
         color += vec4(other.xyz * below, below);
       }
     }
   }
-  color = vec4(color.xyz / max(color.w, 1e-20), color.w);
+  color = vec4(color.xyz / max(color.w, 1e-20), min(color.w, 1.0));
   return color;
 }
 
 void main() {
   vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
+  // grid_1: brick_grid (tiles/brick_grid.glsl)
+  vec2 grid_1_local_dx = uv_dx * 9.0;
+  vec2 grid_1_local_dy = uv_dy * 9.0;
+  // grid_2: brick_grid (tiles/brick_grid.glsl)
+  vec2 grid_2_local_dx = uv_dx * 14.0;
+  vec2 grid_2_local_dy = uv_dy * 14.0;
+  // grid_3: brick_grid (tiles/brick_grid.glsl)
+  vec2 grid_3_local_dx = uv_dx * 20.0;
+  vec2 grid_3_local_dy = uv_dy * 20.0;
   // sheet_1: layer (layers/layer.glsl)
-  vec4 sheet_1_color = layer_sheet_1(uv, uv_dx, uv_dy);
+  vec4 sheet_1_color = layer_sheet_1(uv, uv_dx, uv_dy, grid_1_local_dx, grid_1_local_dy);
   // sheet_2: layer (layers/layer.glsl)
-  vec4 sheet_2_color = layer_sheet_2(uv, uv_dx, uv_dy);
+  vec4 sheet_2_color = layer_sheet_2(uv, uv_dx, uv_dy, grid_2_local_dx, grid_2_local_dy);
   // sheet_3: layer (layers/layer.glsl)
-  vec4 sheet_3_color = layer_sheet_3(uv, uv_dx, uv_dy);
+  vec4 sheet_3_color = layer_sheet_3(uv, uv_dx, uv_dy, grid_3_local_dx, grid_3_local_dy);
   // lower: over (layers/over.glsl)
   float blend = mix(ground.w, 1.0, sheet_3_color.w);
   vec3 blend2 = mix(ground.xyz, sheet_3_color.xyz, sheet_3_color.w / max(blend, 1e-20));

@@ -150,7 +150,10 @@ float desert_circle_shape(vec2 uv, float radius, vec2 uv_dx, vec2 uv_dy) {
   float from_center_dx = dot(difference, uv_dx) / greatest;
   float from_center_dy = dot(difference, uv_dy) / greatest;
   float width = max(sqrt(from_center_dx * from_center_dx + from_center_dy * from_center_dy), 1e-7);
-  return clamp((radius - from_center) / width + 0.5, 0.0, 1.0);
+  float near = clamp((radius - from_center) / width + 0.5, 0.0, 1.0);
+  vec2 pixel = sqrt(uv_dx * uv_dx + uv_dy * uv_dy);
+  float far = clamp(2.0 * max(pixel.x, pixel.y) - 1.0, 0.0, 1.0);
+  return mix(near, min(3.1415927 * radius * radius, 1.0), far);
 }
 
 // circle (patterns/circle.glsl)
@@ -164,7 +167,10 @@ float desert_circle_lit(vec2 uv, vec2 center, float radius, float softness, vec2
   float greatest2 = max(sqrt(from_center_dx * from_center_dx + from_center_dy * from_center_dy),
       1e-7);
   float width = softness + greatest2;
-  return clamp((radius - from_center) / width + 0.5, 0.0, 1.0);
+  float near = clamp((radius - from_center) / width + 0.5, 0.0, 1.0);
+  vec2 pixel = sqrt(uv_dx * uv_dx + uv_dy * uv_dy);
+  float far = clamp(2.0 * max(pixel.x, pixel.y) - 1.0, 0.0, 1.0);
+  return mix(near, min(3.1415927 * radius * radius, 1.0), far);
 }
 
 // rock (function of the graph)
@@ -253,18 +259,20 @@ vec4 desert_draw_stones(vec2 uv, ivec2 which, vec2 uv_dx, vec2 uv_dy) {
 }
 
 // layer (layers/layer.glsl)
-vec4 desert_layer_stones(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
+vec4 desert_layer_stones(vec2 uv, vec2 uv_dx, vec2 uv_dy, vec2 tile_local_dx, vec2 tile_local_dy) {
+  vec2 tiles = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
+  float on = clamp(2.0 - 2.0 * max(tiles.x, tiles.y), 0.0, 1.0);
   vec4 color = vec4(0.0);
   for (int y = 1; y > -2; --y) {
     for (int x = 1; x > -2; --x) {
       if (color.w < 0.999) {
         vec4 other = desert_draw_stones(uv, ivec2(x, y), uv_dx, uv_dy);
-        float below = other.w * (1.0 - color.w);
+        float below = other.w * (1.0 - color.w * on);
         color += vec4(other.xyz * below, below);
       }
     }
   }
-  color = vec4(color.xyz / max(color.w, 1e-20), color.w);
+  color = vec4(color.xyz / max(color.w, 1e-20), min(color.w, 1.0));
   return color;
 }
 
@@ -389,6 +397,13 @@ vec3 desert_random3(uint seed) {
   return vec3(product, float(desert_hash(bits) >> 8u) * 5.9604645e-8);
 }
 
+// tile_near (tiles/tile_near.glsl)
+float desert_tile_near(vec2 tile_local_dx, vec2 tile_local_dy) {
+  vec2 product = 0.25 * (tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
+  vec2 part = 1.0 + product;
+  return 1.0 / (part.x * part.y);
+}
+
 // draw_tufts, of layer (layers/layer.glsl)
 vec4 desert_draw_tufts(vec2 uv, ivec2 which, vec2 uv_dx, vec2 uv_dy) {
   desert_Tile tile;
@@ -403,25 +418,29 @@ vec4 desert_draw_tufts(vec2 uv, ivec2 which, vec2 uv_dx, vec2 uv_dy) {
   vec4 color = vec4(0.0);
   if (alpha > 0.0) {
     color = desert_tuft(inner.local, inner_local_dx, inner_local_dy);
-    vec3 blend = mix(vec3(0.75, 0.8, 0.6), vec3(1.3, 1.15, 1.0), desert_random3(tile.seed));
-    color = vec4(color.xyz * blend, color.w * alpha);
+    vec3 blend = mix(vec3(0.5), desert_random3(tile.seed),
+        desert_tile_near(tile_local_dx, tile_local_dy));
+    vec3 product = color.xyz * mix(vec3(0.75, 0.8, 0.6), vec3(1.3, 1.15, 1.0), blend);
+    color = vec4(product, color.w * alpha);
   }
   return color;
 }
 
 // layer (layers/layer.glsl)
-vec4 desert_layer_tufts(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
+vec4 desert_layer_tufts(vec2 uv, vec2 uv_dx, vec2 uv_dy, vec2 tile_local_dx, vec2 tile_local_dy) {
+  vec2 tiles = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
+  float on = clamp(2.0 - 2.0 * max(tiles.x, tiles.y), 0.0, 1.0);
   vec4 color = vec4(0.0);
   for (int y = 1; y > -2; --y) {
     for (int x = 1; x > -2; --x) {
       if (color.w < 0.999) {
         vec4 other = desert_draw_tufts(uv, ivec2(x, y), uv_dx, uv_dy);
-        float below = other.w * (1.0 - color.w);
+        float below = other.w * (1.0 - color.w * on);
         color += vec4(other.xyz * below, below);
       }
     }
   }
-  color = vec4(color.xyz / max(color.w, 1e-20), color.w);
+  color = vec4(color.xyz / max(color.w, 1e-20), min(color.w, 1.0));
   return color;
 }
 
@@ -471,25 +490,29 @@ vec4 desert_draw_rocks(vec2 uv, ivec2 which, vec2 uv_dx, vec2 uv_dy) {
   vec4 color = vec4(0.0);
   if (alpha > 0.0) {
     color = desert_rock(inner.local, inner, inner_local_dx, inner_local_dy);
-    vec3 blend = mix(vec3(1.0, 0.92, 0.8), vec3(1.4, 1.1, 0.9), desert_random3(tile.seed));
-    color = vec4(color.xyz * blend, color.w * alpha);
+    vec3 blend = mix(vec3(0.5), desert_random3(tile.seed),
+        desert_tile_near(tile_local_dx, tile_local_dy));
+    vec3 product = color.xyz * mix(vec3(1.0, 0.92, 0.8), vec3(1.4, 1.1, 0.9), blend);
+    color = vec4(product, color.w * alpha);
   }
   return color;
 }
 
 // layer (layers/layer.glsl)
-vec4 desert_layer_rocks(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
+vec4 desert_layer_rocks(vec2 uv, vec2 uv_dx, vec2 uv_dy, vec2 tile_local_dx, vec2 tile_local_dy) {
+  vec2 tiles = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
+  float on = clamp(2.0 - 2.0 * max(tiles.x, tiles.y), 0.0, 1.0);
   vec4 color = vec4(0.0);
   for (int y = 1; y > -2; --y) {
     for (int x = 1; x > -2; --x) {
       if (color.w < 0.999) {
         vec4 other = desert_draw_rocks(uv, ivec2(x, y), uv_dx, uv_dy);
-        float below = other.w * (1.0 - color.w);
+        float below = other.w * (1.0 - color.w * on);
         color += vec4(other.xyz * below, below);
       }
     }
   }
-  color = vec4(color.xyz / max(color.w, 1e-20), color.w);
+  color = vec4(color.xyz / max(color.w, 1e-20), min(color.w, 1.0));
   return color;
 }
 
@@ -531,12 +554,22 @@ vec4 desert(vec2 uv) {
   float light = sand_tone * far_tone;
   // sand_rgb: multiply (math/multiply.glsl)
   vec3 sand_rgb = sand * light;
+  // stone_grid: brick_grid (tiles/brick_grid.glsl)
+  vec2 stone_grid_local_dx = uv_dx * vec2(16.0, 17.0);
+  vec2 stone_grid_local_dy = uv_dy * vec2(16.0, 17.0);
   // stones: layer (layers/layer.glsl)
-  vec4 stones_color = desert_layer_stones(uv, uv_dx, uv_dy);
+  vec4 stones_color = desert_layer_stones(uv, uv_dx, uv_dy, stone_grid_local_dx,
+      stone_grid_local_dy);
+  // grass_grid: brick_grid (tiles/brick_grid.glsl)
+  vec2 grass_grid_local_dx = uv_dx * vec2(6.0, 7.0);
+  vec2 grass_grid_local_dy = uv_dy * vec2(6.0, 7.0);
   // tufts: layer (layers/layer.glsl)
-  vec4 tufts_color = desert_layer_tufts(uv, uv_dx, uv_dy);
+  vec4 tufts_color = desert_layer_tufts(uv, uv_dx, uv_dy, grass_grid_local_dx, grass_grid_local_dy);
+  // rock_grid: brick_grid (tiles/brick_grid.glsl)
+  vec2 rock_grid_local_dx = uv_dx * 4.0;
+  vec2 rock_grid_local_dy = uv_dy * 4.0;
   // rocks: layer (layers/layer.glsl)
-  vec4 rocks_color = desert_layer_rocks(uv, uv_dx, uv_dy);
+  vec4 rocks_color = desert_layer_rocks(uv, uv_dx, uv_dy, rock_grid_local_dx, rock_grid_local_dy);
   // with_stones: over (layers/over.glsl)
   vec3 blend = mix(sand_rgb, stones_color.xyz, stones_color.w);
   // with_grass: over (layers/over.glsl)

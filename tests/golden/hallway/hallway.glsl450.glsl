@@ -90,8 +90,11 @@ void hallway_layer_element_brick_layer(hallway_Tile tile, vec2 tile_local_dx, ve
   vec2 q_dy = tile_local_dy * point + tile_local_dy.yx * product2;
   vec2 right = point * tile.right + point2 * tile.up;
   vec2 up = point * tile.up - point2 * tile.right;
-  alpha = hallway_coverage_brick_layer(q, vec2(1.0), tile.local, q_dx, q_dy, tile_local_dx,
+  float alpha2 = hallway_coverage_brick_layer(q, vec2(1.0), tile.local, q_dx, q_dy, tile_local_dx,
       tile_local_dy);
+  vec2 width = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
+  float far = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
+  alpha = mix(alpha2, 1.0, far);
   inner = hallway_Tile(q, tile.size, seed, right, up);
   inner_local_dx = q_dx;
   inner_local_dy = q_dy;
@@ -103,6 +106,13 @@ vec3 hallway_normal_map_slope(vec3 texel, float strength) {
   vec2 slope = strength * n.xy;
   vec3 steep = vec3(slope, n.z);
   return steep * inversesqrt(max(dot(steep, steep), 1e-20));
+}
+
+// tile_near (tiles/tile_near.glsl)
+float hallway_tile_near(vec2 tile_local_dx, vec2 tile_local_dy) {
+  vec2 product = 0.25 * (tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
+  vec2 part = 1.0 + product;
+  return 1.0 / (part.x * part.y);
 }
 
 // random3 (random/random3.glsl)
@@ -151,23 +161,14 @@ vec3 hallway_hsv_adjust(vec3 color, float hue, float saturation, float value) {
   return value * (hue == 0.0 ? pulled : turned);
 }
 
-// brick_surface (function of the graph)
-hallway_Material hallway_brick_surface(vec2 uv, hallway_Tile tile, vec2 uv_dx, vec2 uv_dy) {
-  // picture: image (images/image.glsl)
-  vec4 picture = textureGrad(brick, uv, uv_dx, uv_dy);
-  // texel: image (images/image.glsl)
-  vec4 texel = textureGrad(brick_relief, uv, uv_dx, uv_dy);
-  // slope: normal_map (materials/normal_map.glsl)
-  vec3 slope = hallway_normal_map_slope(texel.xyz, 0.7);
-  // fired: tile_random_hsv (tiles/tile_random_hsv.glsl)
-  vec3 random3_value = hallway_random3(tile.seed);
-  float blend = mix(-6.0, 8.0, random3_value.x);
-  vec3 hsv_adjust_value = hallway_hsv_adjust(picture.xyz, blend, mix(0.7, 1.1, random3_value.y),
-      mix(0.55, 1.1, random3_value.z));
-  // surface: material (materials/material.glsl)
-  hallway_Material surface = hallway_Material(vec4(hsv_adjust_value, picture.w), slope, -0.14, 0.85,
-      0.0);
-  return surface;
+// varied, of tile_random_hsv (tiles/tile_random_hsv.glsl)
+vec3 hallway_varied(hallway_Tile tile, vec3 color, vec2 tile_local_dx, vec2 tile_local_dy) {
+  float near = hallway_tile_near(tile_local_dx, tile_local_dy);
+  vec3 luck = mix(vec3(0.5), hallway_random3(tile.seed), near);
+  vec3 one = hallway_hsv_adjust(color, mix(-6.0, 8.0, luck.x), mix(0.7, 1.1, luck.y),
+      mix(0.55, 1.1, luck.z));
+  float grey = 0.5 * (max(max(one.x, one.y), one.z) + min(min(one.x, one.y), one.z));
+  return mix(mix(vec3(grey), one, 0.9975142), one, near);
 }
 
 // draw_brick_layer, of material_layer (materials/material_layer.glsl)
@@ -178,10 +179,14 @@ hallway_Material hallway_draw_brick_layer(hallway_Tile tile, vec2 tile_local_dx,
   vec2 inner_local_dx, inner_local_dy;
   hallway_layer_element_brick_layer(tile, tile_local_dx, tile_local_dy, alpha, inner,
       inner_local_dx, inner_local_dy);
-  hallway_Material seen = hallway_brick_surface(inner.local, inner, inner_local_dx, inner_local_dy);
-  vec4 vector = vec4(seen.color.xyz, seen.color.w * alpha);
-  vec3 vector2 = vec3(seen.normal.x * inner.right + seen.normal.y * inner.up, seen.normal.z);
-  seen = hallway_Material(vector, vector2, seen.height, seen.roughness, seen.metallic);
+  vec4 texel = textureGrad(brick, inner.local, inner_local_dx, inner_local_dy);
+  vec3 vector = textureGrad(brick_relief, inner.local, inner_local_dx, inner_local_dy).xyz;
+  vec3 normal_map_slope_value = hallway_normal_map_slope(vector, 0.7);
+  vec4 vector2 = vec4(hallway_varied(inner, texel.xyz, inner_local_dx, inner_local_dy),
+      texel.w * alpha);
+  vec3 vector3 = vec3(normal_map_slope_value.x * inner.right + normal_map_slope_value.y * inner.up,
+      normal_map_slope_value.z);
+  hallway_Material seen = hallway_Material(vector2, vector3, -0.14, 0.85, 0.0);
   return seen;
 }
 
@@ -198,14 +203,6 @@ hallway_Material hallway_material_over_bricks(hallway_Material foreground,
   float blend3 = mix(background.metallic, foreground.metallic, share);
   hallway_Material seen = hallway_Material(vector, product, blend, blend2, blend3);
   return seen;
-}
-
-// rectangle (patterns/rectangle.glsl)
-float hallway_rectangle(vec2 uv, vec2 center, vec2 size, vec2 uv_dx, vec2 uv_dy) {
-  vec2 width = max(sqrt(uv_dx * uv_dx + uv_dy * uv_dy), 1e-7);
-  vec2 share = min((0.5 * size - abs(uv - center)) / width + 0.5, size / width);
-  share = clamp(share, 0.0, 1.0);
-  return share.x * share.y;
 }
 
 // hash (random/hash.glsl)
@@ -557,7 +554,10 @@ void hallway_layer_element_windows(hallway_Tile tile, vec2 tile_local_dx, vec2 t
   vec2 luck = vec2(float(hash_value2 & 65535u), float(hash_value2 >> 16u)) * 1.5258789e-5;
   float alpha2 = hallway_coverage_brick_layer(q, vec2(2.9411764, 2.3529413), tile.local, q_dx, q_dy,
       tile_local_dx, tile_local_dy);
-  alpha = luck.y >= 0.6 ? 0.0 : alpha2;
+  alpha2 = luck.y >= 0.6 ? 0.0 : alpha2;
+  vec2 width = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
+  float far = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
+  alpha = mix(alpha2, 0.086700015, far);
   inner = hallway_Tile(q, vec2(0.34, 0.425) * tile.size, seed, tile.right, tile.up);
   inner_local_dx = q_dx;
   inner_local_dy = q_dy;
@@ -581,16 +581,19 @@ hallway_Material hallway_window_surface(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
 }
 
 // draw_windows, of material_layer (materials/material_layer.glsl)
-hallway_Material hallway_draw_windows(hallway_Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
+hallway_Material hallway_draw_windows(hallway_Tile tile, vec2 tile_local_dx, vec2 tile_local_dy,
+    out vec2 inner_local_dx, out vec2 inner_local_dy) {
   float alpha;
   hallway_Tile inner;
-  vec2 inner_local_dx, inner_local_dy;
-  hallway_layer_element_windows(tile, tile_local_dx, tile_local_dy, alpha, inner, inner_local_dx,
-      inner_local_dy);
-  hallway_Material seen = hallway_window_surface(inner.local, inner_local_dx, inner_local_dy);
+  vec2 inner_local_dx2, inner_local_dy2;
+  hallway_layer_element_windows(tile, tile_local_dx, tile_local_dy, alpha, inner, inner_local_dx2,
+      inner_local_dy2);
+  hallway_Material seen = hallway_window_surface(inner.local, inner_local_dx2, inner_local_dy2);
   vec4 vector = vec4(seen.color.xyz, seen.color.w * alpha);
   vec3 vector2 = vec3(seen.normal.x * inner.right + seen.normal.y * inner.up, seen.normal.z);
-  seen = hallway_Material(vector, vector2, seen.height, seen.roughness, seen.metallic);
+  seen = hallway_Material(vector, vector2, seen.height, seen.roughness, 0.0);
+  inner_local_dx = inner_local_dx2;
+  inner_local_dy = inner_local_dy2;
   return seen;
 }
 
@@ -670,18 +673,21 @@ vec4 hallway_draw_runs(vec2 between, ivec2 which, vec2 between_dx, vec2 between_
 }
 
 // layer (layers/layer.glsl)
-vec4 hallway_layer(vec2 between, vec2 between_dx, vec2 between_dy) {
+vec4 hallway_layer(vec2 between, vec2 between_dx, vec2 between_dy, vec2 tile_local_dx,
+    vec2 tile_local_dy) {
+  vec2 tiles = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
+  float on = clamp(2.0 - 2.0 * max(tiles.x, tiles.y), 0.0, 1.0);
   vec4 color = vec4(0.0);
   for (int y = 1; y > -2; --y) {
     for (int x = 1; x > -2; --x) {
       if (color.w < 0.999) {
         vec4 other = hallway_draw_runs(between, ivec2(x, y), between_dx, between_dy);
-        float below = other.w * (1.0 - color.w);
+        float below = other.w * (1.0 - color.w * on);
         color += vec4(other.xyz * below, below);
       }
     }
   }
-  color = vec4(color.xyz / max(color.w, 1e-20), color.w);
+  color = vec4(color.xyz / max(color.w, 1e-20), min(color.w, 1.0));
   return color;
 }
 
@@ -816,7 +822,11 @@ void hallway(vec2 uv, out vec4 color, out vec3 normal, out float roughness, out 
   // finish_slope: normal_map (materials/normal_map.glsl)
   vec3 finish_slope = hallway_normal_map_slope(finish_texel.xyz, 0.35);
   // dado: rectangle (patterns/rectangle.glsl)
-  float dado = hallway_rectangle(upright, vec2(0.5, 0.1), vec2(4.0, 0.48), upright_dx, upright_dy);
+  vec2 greatest = max(sqrt(upright_dx * upright_dx + upright_dy * upright_dy), 1e-7);
+  vec2 sum = (vec2(2.0, 0.24) - abs(upright - vec2(0.5, 0.1))) / greatest + 0.5;
+  vec2 clamped = clamp(min(sum, vec2(4.0, 0.48) / greatest), 0.0, 1.0);
+  float clamped2 = clamp(2.0 * max(greatest.x, greatest.y) - 1.0, 0.0, 1.0);
+  float dado = mix(clamped.x * clamped.y, 1.0, clamped2);
   // paint: lerp (math/lerp.glsl)
   vec3 paint = mix(wall_tint, dado_tint, dado);
   // painted: multiply (math/multiply.glsl)
@@ -872,9 +882,13 @@ void hallway(vec2 uv, out vec4 color, out vec3 normal, out float roughness, out 
   // cracked: material_over (materials/material_over.glsl)
   hallway_Material cracked = hallway_material_over_cracked(cracks_surface, plastered);
   // rail: rectangle (patterns/rectangle.glsl)
-  float rail = hallway_rectangle(upright, vec2(0.5, 0.35), vec2(4.0, 0.03), upright_dx, upright_dy);
+  vec2 sum2 = (vec2(2.0, 0.015) - abs(upright - vec2(0.5, 0.35))) / greatest + 0.5;
+  vec2 clamped3 = clamp(min(sum2, vec2(4.0, 0.03) / greatest), 0.0, 1.0);
+  float rail = mix(clamped3.x * clamped3.y, 0.12, clamped2);
   // board: rectangle (patterns/rectangle.glsl)
-  float board = hallway_rectangle(upright, vec2(0.5, 0.04), vec2(4.0, 0.1), upright_dx, upright_dy);
+  vec2 sum3 = (vec2(2.0, 0.05) - abs(upright - vec2(0.5, 0.04))) / greatest + 0.5;
+  vec2 clamped4 = clamp(min(sum3, vec2(4.0, 0.1) / greatest), 0.0, 1.0);
+  float board = mix(clamped4.x * clamped4.y, 0.4, clamped2);
   // rail_bend: remap (math/remap.glsl)
   float rail_bend = mix(-1.0, 1.0, (level - 0.335) / 0.030000001);
   // board_bend: smooth_step (math/smooth_step.glsl)
@@ -902,9 +916,12 @@ void hallway(vec2 uv, out vec4 color, out vec3 normal, out float roughness, out 
   // window_tiles: brick_grid (tiles/brick_grid.glsl)
   hallway_Tile window_tiles = hallway_brick_grid_window_tiles(between);
   // windows: material_layer (materials/material_layer.glsl)
-  hallway_Material windows_surface = hallway_draw_windows(window_tiles, uv_dx, uv_dy);
+  vec2 windows_inner_local_dx, windows_inner_local_dy;
+  hallway_Material windows_surface = hallway_draw_windows(window_tiles, uv_dx, uv_dy,
+      windows_inner_local_dx, windows_inner_local_dy);
   // runs: layer (layers/layer.glsl)
-  vec4 runs_color = hallway_layer(between, uv_dx, uv_dy);
+  vec4 runs_color = hallway_layer(between, uv_dx, uv_dy, windows_inner_local_dx,
+      windows_inner_local_dy);
   // runs_surface: material (materials/material.glsl)
   hallway_Material runs_surface = hallway_Material(runs_color, vec3(0.0, 0.0, 1.0), 0.0, 0.95, 0.0);
   // stained: material_over (materials/material_over.glsl)

@@ -113,8 +113,11 @@ void tiled_floor_layer_element_tiles(tiled_floor_Tile tile, vec2 tile_local_dx, 
   vec2 choice = (bits2 & 1u) != 0u ? product3.yx : product3;
   vec2 to_x = tiled_floor_turned_tiles2(vec2(right.x, up.x), bits2);
   vec2 to_y = tiled_floor_turned_tiles2(vec2(right.y, up.y), bits2);
-  alpha = tiled_floor_coverage(q, vec2(shrink), tile.local, q_dx, q_dy, tile_local_dx,
+  float alpha2 = tiled_floor_coverage(q, vec2(shrink), tile.local, q_dx, q_dy, tile_local_dx,
       tile_local_dy);
+  vec2 width = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
+  float far = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
+  alpha = mix(alpha2, 0.94580835, far);
   inner = tiled_floor_Tile(turned_tiles_value + 0.5, choice, seed, vec2(to_x.x, to_y.x),
       vec2(to_x.y, to_y.y));
   inner_local_dx = inner_local_dx2;
@@ -138,6 +141,13 @@ vec4 tiled_floor_color_ramp(float position) {
   vec4 color = mix(vec4(0.82, 0.77, 0.64, 1.0), vec4(0.16, 0.36, 0.33, 1.0), vector);
   color = mix(color, vec4(0.035, 0.11, 0.22, 1.0), tiled_floor_threshold(position, 0.74));
   return mix(color, vec4(0.62, 0.29, 0.07, 1.0), tiled_floor_threshold(position, 0.91));
+}
+
+// tile_near (tiles/tile_near.glsl)
+float tiled_floor_tile_near(vec2 tile_local_dx, vec2 tile_local_dy) {
+  vec2 product = 0.25 * (tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
+  vec2 part = 1.0 + product;
+  return 1.0 / (part.x * part.y);
 }
 
 // random3 (random/random3.glsl)
@@ -186,6 +196,16 @@ vec3 tiled_floor_hsv_adjust(vec3 color, float hue, float saturation, float value
   return value * (hue == 0.0 ? pulled : turned);
 }
 
+// varied, of tile_random_hsv (tiles/tile_random_hsv.glsl)
+vec3 tiled_floor_varied(tiled_floor_Tile tile, vec3 color, vec2 tile_local_dx, vec2 tile_local_dy) {
+  float near = tiled_floor_tile_near(tile_local_dx, tile_local_dy);
+  vec3 luck = mix(vec3(0.5), tiled_floor_random3(tile.seed), near);
+  vec3 one = tiled_floor_hsv_adjust(color, mix(-7.0, 7.0, luck.x), mix(0.85, 1.1, luck.y),
+      mix(0.75, 1.15, luck.z));
+  float grey = 0.5 * (max(max(one.x, one.y), one.z) + min(min(one.x, one.y), one.z));
+  return mix(mix(vec3(grey), one, 0.9975142), one, near);
+}
+
 // glazed_tile (function of the graph)
 tiled_floor_Material tiled_floor_glazed_tile(vec2 uv, tiled_floor_Tile tile, vec2 uv_dx,
     vec2 uv_dy) {
@@ -200,10 +220,7 @@ tiled_floor_Material tiled_floor_glazed_tile(vec2 uv, tiled_floor_Tile tile, vec
   // palette: color_ramp (color/color_ramp.glsl)
   vec4 palette = tiled_floor_color_ramp(lot);
   // batch: tile_random_hsv (tiles/tile_random_hsv.glsl)
-  vec3 random3_value = tiled_floor_random3(tile.seed);
-  float blend = mix(-7.0, 7.0, random3_value.x);
-  vec3 batch = tiled_floor_hsv_adjust(palette.xyz, blend, mix(0.85, 1.1, random3_value.y),
-      mix(0.75, 1.15, random3_value.z));
+  vec3 batch = tiled_floor_varied(tile, palette.xyz, uv_dx, uv_dy);
   // color: multiply (math/multiply.glsl)
   vec3 color = picture.xyz * batch;
   // ochre: threshold (math/threshold.glsl)
@@ -288,7 +305,10 @@ void tiled_floor_layer_element_worn(tiled_floor_Tile tile, vec2 tile_local_dx, v
   vec2 luck = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
   float coverage_value = tiled_floor_coverage(q, vec2(1.0), tile.local, tile_local_dx,
       tile_local_dy, tile_local_dx, tile_local_dy);
-  alpha = luck.x * coverage_value;
+  float alpha2 = luck.x * coverage_value;
+  vec2 width = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
+  float far = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
+  alpha = mix(alpha2, 0.5, far);
   inner = tiled_floor_Tile(turned_worn_value + 0.5, choice, seed, vec2(to_x.x, to_y.x),
       vec2(to_x.y, to_y.y));
   inner_local_dx = inner_local_dx2;

@@ -121,7 +121,10 @@ void layer_element_tiles(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy, out 
   vec2 choice = (bits2 & 1u) != 0u ? product3.yx : product3;
   vec2 to_x = turned_tiles2(vec2(right.x, up.x), bits2);
   vec2 to_y = turned_tiles2(vec2(right.y, up.y), bits2);
-  alpha = coverage(q, vec2(shrink), tile.local, q_dx, q_dy, tile_local_dx, tile_local_dy);
+  float alpha2 = coverage(q, vec2(shrink), tile.local, q_dx, q_dy, tile_local_dx, tile_local_dy);
+  vec2 width = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
+  float far = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
+  alpha = mix(alpha2, 0.94580835, far);
   inner = Tile(turned_tiles_value + 0.5, choice, seed, vec2(to_x.x, to_y.x), vec2(to_x.y, to_y.y));
   inner_local_dx = inner_local_dx2;
   inner_local_dy = inner_local_dy2;
@@ -144,6 +147,13 @@ vec4 color_ramp(float position) {
   vec4 color = mix(vec4(0.82, 0.77, 0.64, 1.0), vec4(0.16, 0.36, 0.33, 1.0), vector);
   color = mix(color, vec4(0.035, 0.11, 0.22, 1.0), threshold(position, 0.74));
   return mix(color, vec4(0.62, 0.29, 0.07, 1.0), threshold(position, 0.91));
+}
+
+// tile_near (tiles/tile_near.glsl)
+float tile_near(vec2 tile_local_dx, vec2 tile_local_dy) {
+  vec2 product = 0.25 * (tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
+  vec2 part = 1.0 + product;
+  return 1.0 / (part.x * part.y);
 }
 
 // random3 (random/random3.glsl)
@@ -192,6 +202,16 @@ vec3 hsv_adjust(vec3 color, float hue, float saturation, float value) {
   return value * (hue == 0.0 ? pulled : turned);
 }
 
+// varied, of tile_random_hsv (tiles/tile_random_hsv.glsl)
+vec3 varied(Tile tile, vec3 color, vec2 tile_local_dx, vec2 tile_local_dy) {
+  float near = tile_near(tile_local_dx, tile_local_dy);
+  vec3 luck = mix(vec3(0.5), random3(tile.seed), near);
+  vec3 one = hsv_adjust(color, mix(-7.0, 7.0, luck.x), mix(0.85, 1.1, luck.y),
+      mix(0.75, 1.15, luck.z));
+  float grey = 0.5 * (max(max(one.x, one.y), one.z) + min(min(one.x, one.y), one.z));
+  return mix(mix(vec3(grey), one, 0.9975142), one, near);
+}
+
 // glazed_tile (function of the graph)
 Material glazed_tile(vec2 uv, Tile tile, vec2 uv_dx, vec2 uv_dy) {
   // picture: image (images/image.glsl)
@@ -205,10 +225,7 @@ Material glazed_tile(vec2 uv, Tile tile, vec2 uv_dx, vec2 uv_dy) {
   // palette: color_ramp (color/color_ramp.glsl)
   vec4 palette = color_ramp(lot);
   // batch: tile_random_hsv (tiles/tile_random_hsv.glsl)
-  vec3 random3_value = random3(tile.seed);
-  float blend = mix(-7.0, 7.0, random3_value.x);
-  vec3 batch = hsv_adjust(palette.xyz, blend, mix(0.85, 1.1, random3_value.y),
-      mix(0.75, 1.15, random3_value.z));
+  vec3 batch = varied(tile, palette.xyz, uv_dx, uv_dy);
   // color: multiply (math/multiply.glsl)
   vec3 color = picture.xyz * batch;
   // ochre: threshold (math/threshold.glsl)
@@ -289,7 +306,10 @@ void layer_element_worn(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy, out f
   vec2 luck = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
   float coverage_value = coverage(q, vec2(1.0), tile.local, tile_local_dx, tile_local_dy,
       tile_local_dx, tile_local_dy);
-  alpha = luck.x * coverage_value;
+  float alpha2 = luck.x * coverage_value;
+  vec2 width = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
+  float far = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
+  alpha = mix(alpha2, 0.5, far);
   inner = Tile(turned_worn_value + 0.5, choice, seed, vec2(to_x.x, to_y.x), vec2(to_x.y, to_y.y));
   inner_local_dx = inner_local_dx2;
   inner_local_dy = inner_local_dy2;

@@ -45,6 +45,13 @@ void bricks_brick_grid(vec2 uv, vec2 uv_dx, vec2 uv_dy, out bricks_Tile tile,
   tile_local_dy = uv_dy * vec2(4.0, 8.0);
 }
 
+// tile_near (tiles/tile_near.glsl)
+float bricks_tile_near(vec2 tile_local_dx, vec2 tile_local_dy) {
+  vec2 product = 0.25 * (tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
+  vec2 part = 1.0 + product;
+  return 1.0 / (part.x * part.y);
+}
+
 // random3 (random/random3.glsl)
 vec3 bricks_random3(uint seed) {
   uint bits = bricks_hash(seed + 4u);
@@ -86,6 +93,16 @@ vec3 bricks_hsv_adjust(float hue, float saturation, float value) {
   return value * (hue == 0.0 ? pulled : turned);
 }
 
+// varied, of tile_random_hsv (tiles/tile_random_hsv.glsl)
+vec3 bricks_varied(bricks_Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
+  float near = bricks_tile_near(tile_local_dx, tile_local_dy);
+  vec3 luck = mix(vec3(0.5), bricks_random3(tile.seed), near);
+  vec3 one = bricks_hsv_adjust(mix(-5.0, 9.0, luck.x), mix(0.65, 1.1, luck.y),
+      mix(0.5, 1.25, luck.z));
+  float grey = 0.5 * (max(max(one.x, one.y), one.z) + min(min(one.x, one.y), one.z));
+  return mix(mix(vec3(grey), one, 0.9975142), one, near);
+}
+
 // coverage, of layer_element (layers/layer_element.glsl)
 float bricks_coverage(vec2 q, vec2 cell_in_q, vec2 local, vec2 q_dx, vec2 q_dy, vec2 local_dx,
     vec2 local_dy) {
@@ -120,7 +137,11 @@ void bricks_layer_element_bricks(bricks_Tile tile, vec2 tile_local_dx, vec2 tile
   vec2 q_dy = tile_local_dy * point + tile_local_dy.yx * product2;
   vec2 right = cosine * tile.right + sine * tile.up;
   vec2 up = cosine * tile.up - sine * tile.right;
-  alpha = bricks_coverage(q, vec2(shrink), tile.local, q_dx, q_dy, tile_local_dx, tile_local_dy);
+  float alpha2 = bricks_coverage(q, vec2(shrink), tile.local, q_dx, q_dy, tile_local_dx,
+      tile_local_dy);
+  vec2 width = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
+  float far = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
+  alpha = mix(alpha2, 1.0, far);
   inner = bricks_Tile(q, size * tile.size, seed, right, up);
   inner_local_dx = q_dx;
   inner_local_dy = q_dy;
@@ -182,7 +203,10 @@ void bricks_layer_element_sooty(bricks_Tile tile, vec2 tile_local_dx, vec2 tile_
   float coverage_value = bricks_coverage(q, vec2(shrink), tile.local, q_dx, q_dy, tile_local_dx,
       tile_local_dy);
   float alpha2 = luck.x * coverage_value;
-  alpha = luck.y >= 0.7 ? 0.0 : alpha2;
+  alpha2 = luck.y >= 0.7 ? 0.0 : alpha2;
+  vec2 width = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
+  float far = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
+  alpha = mix(alpha2, 0.35, far);
   inner = bricks_Tile(q, size * tile.size, seed, right, up);
   inner_local_dx = q_dx;
   inner_local_dy = q_dy;
@@ -230,7 +254,11 @@ void bricks_layer_element_mossy(bricks_Tile tile, vec2 tile_local_dx, vec2 tile_
   vec2 luck = vec2(float(hash_value3 & 65535u), float(hash_value3 >> 16u)) * 1.5258789e-5;
   float alpha2 = bricks_coverage(q, along * shrink, tile.local, q_dx, q_dy, tile_local_dx,
       tile_local_dy);
-  alpha = luck.y >= 0.4 ? 0.0 : alpha2;
+  alpha2 = luck.y >= 0.4 ? 0.0 : alpha2;
+  vec2 width = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
+  float far = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
+  float area = min(0.4525 / (along.x * along.y), 1.0);
+  alpha = mix(alpha2, 0.4 * area, far);
   inner = bricks_Tile(q, vec2(size * side), seed, right, up);
   inner_local_dx = q_dx;
   inner_local_dy = q_dy;
@@ -298,10 +326,7 @@ void bricks(vec2 uv, out vec4 color, out vec3 normal, out float roughness) {
   vec2 grid_local_dx, grid_local_dy;
   bricks_brick_grid(uv, uv_dx, uv_dy, grid, grid_local_dx, grid_local_dy);
   // tint: tile_random_hsv (tiles/tile_random_hsv.glsl)
-  vec3 random3_value = bricks_random3(grid.seed);
-  float blend = mix(-5.0, 9.0, random3_value.x);
-  vec3 tint = bricks_hsv_adjust(blend, mix(0.65, 1.1, random3_value.y),
-      mix(0.5, 1.25, random3_value.z));
+  vec3 tint = bricks_varied(grid, grid_local_dx, grid_local_dy);
   // bricks: material_layer (materials/material_layer.glsl)
   bricks_Tile bricks_inner;
   vec2 bricks_inner_local_dx, bricks_inner_local_dy;

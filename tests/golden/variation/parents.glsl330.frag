@@ -105,16 +105,11 @@ vec3 normal_map(vec3 texel) {
   return steep * inversesqrt(max(dot(steep, steep), 1e-20));
 }
 
-// brick_grid (tiles/brick_grid.glsl)
-Tile brick_grid2(vec2 uv, ivec2 neighbour) {
-  vec2 p = uv * 4.0;
-  int row = int(floor(p.y)) + neighbour.y;
-  uint row_bits = hash(uint(row) + 4048597412u);
-  vec2 corner = floor(p) + vec2(neighbour);
-  int column = int(corner.x);
-  uint hash_value = hash(uint(column) + row_bits);
-  Tile tile = Tile(p - corner, vec2(0.25), hash_value, vec2(1.0, 0.0), vec2(0.0, 1.0));
-  return tile;
+// tile_near (tiles/tile_near.glsl)
+float tile_near(vec2 tile_local_dx, vec2 tile_local_dy) {
+  vec2 product = 0.25 * (tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
+  vec2 part = 1.0 + product;
+  return 1.0 / (part.x * part.y);
 }
 
 // random3 (random/random3.glsl)
@@ -137,14 +132,13 @@ vec3 hsv_adjust(float hue, float value) {
   return value * (hue == 0.0 ? vec3(0.86, 0.7, 0.46) : turned);
 }
 
-// tint_at (a function of neighbour)
-vec3 tint_at_tiles(ivec2 neighbour, vec2 uv) {
-  // grid: brick_grid (tiles/brick_grid.glsl)
-  Tile grid = brick_grid2(uv, neighbour);
-  // tint: tile_random_hsv (tiles/tile_random_hsv.glsl)
-  vec3 random3_value = random3(grid.seed);
-  vec3 tint = hsv_adjust(mix(-22.0, 34.0, random3_value.x), mix(0.6, 1.15, random3_value.z));
-  return tint;
+// varied_tint, of tile_random_hsv (tiles/tile_random_hsv.glsl)
+vec3 varied_tint(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
+  float near = tile_near(tile_local_dx, tile_local_dy);
+  vec3 luck = mix(vec3(0.5), random3(tile.seed), near);
+  vec3 one = hsv_adjust(mix(-22.0, 34.0, luck.x), mix(0.6, 1.15, luck.z));
+  float grey = 0.5 * (max(max(one.x, one.y), one.z) + min(min(one.x, one.y), one.z));
+  return mix(mix(vec3(grey), one, 0.9606693), one, near);
 }
 
 // draw_tiles, of material_layer (materials/material_layer.glsl)
@@ -163,7 +157,8 @@ Material draw_tiles(vec2 uv, ivec2 which, vec2 uv_dx, vec2 uv_dy) {
     vec3 vector = textureGrad(glaze_relief, inner.local, inner_local_dx, inner_local_dy).xyz;
     vec3 normal_map_value = normal_map(vector);
     vec4 product = texel * vec4(1.05, 1.05, 1.05, 1.0);
-    vec4 vector2 = vec4(product.xyz * tint_at_tiles(which, uv), product.w * alpha);
+    vec4 vector2 = vec4(product.xyz * varied_tint(tile, tile_local_dx, tile_local_dy),
+        product.w * alpha);
     vec3 vector3 = vec3(normal_map_value.x * inner.right + normal_map_value.y * inner.up,
         normal_map_value.z);
     seen = Material(vector2, vector3, 0.25, 0.0);
@@ -215,19 +210,6 @@ void material_layer_tiles(vec2 uv, ivec2 home, vec2 uv_dx, vec2 uv_dy, out Tile 
   inner = inner2;
   inner_local_dx = inner_local_dx2;
   inner_local_dy = inner_local_dy2;
-}
-
-// tiles_inner_at (a function of neighbour)
-Tile tiles_inner_at(ivec2 neighbour, vec2 uv, vec2 uv_dx, vec2 uv_dy, out vec2 result_local_dx,
-    out vec2 result_local_dy) {
-  // tiles: material_layer (materials/material_layer.glsl)
-  Tile tiles_inner;
-  vec2 tiles_inner_local_dx, tiles_inner_local_dy;
-  material_layer_tiles(uv, neighbour, uv_dx, uv_dy, tiles_inner, tiles_inner_local_dx,
-      tiles_inner_local_dy);
-  result_local_dx = tiles_inner_local_dx;
-  result_local_dy = tiles_inner_local_dy;
-  return tiles_inner;
 }
 
 // sdf_star (shapes/sdf_star.glsl)
@@ -291,14 +273,14 @@ float sdf_stroke(float shape, float shape_dx, float shape_dy) {
 
 // draw_stars, of material_layer (materials/material_layer.glsl)
 Material draw_stars(vec2 uv, ivec2 which, vec2 uv_dx, vec2 uv_dy) {
-  vec2 result_local_dx, result_local_dy;
-  Tile tiles_inner_at_value = tiles_inner_at(which, uv, uv_dx, uv_dy, result_local_dx,
-      result_local_dy);
+  Tile inner2;
+  vec2 inner_local_dx2, inner_local_dy2;
+  material_layer_tiles(uv, which, uv_dx, uv_dy, inner2, inner_local_dx2, inner_local_dy2);
   float alpha;
   Tile inner;
   vec2 inner_local_dx, inner_local_dy;
-  layer_element(tiles_inner_at_value, vec2(0.36), vec2(0.64), vec2(0.4, 0.85), vec2(-60.0, 60.0), 1,
-      result_local_dx, result_local_dy, alpha, inner, inner_local_dx, inner_local_dy);
+  layer_element(inner2, vec2(0.36), vec2(0.64), vec2(0.4, 0.85), vec2(-60.0, 60.0), 1,
+      inner_local_dx2, inner_local_dy2, alpha, inner, inner_local_dx, inner_local_dy);
   Material seen = Material(vec4(0.0), vec3(0.0, 0.0, 1.0), 0.0, 0.0);
   if (alpha > 0.0) {
     float result_dx, result_dy;
