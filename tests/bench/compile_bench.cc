@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compilation inside one process: from the text of a graph to the text of its shader and manifest.
 #include <benchmark/benchmark.h>
+#include <fmt/format.h>
 
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
-
-#include <fmt/format.h>
 
 #include "compiler/compile.h"
 #include "compiler/textures/image.h"
@@ -45,10 +44,9 @@ void CompileText(benchmark::State& state, const std::string& name, const std::st
 }
 
 void Register(const std::string& name, const std::string& folder, const std::string& text) {
-  benchmark::RegisterBenchmark(name.c_str(),
-                               [folder, text](benchmark::State& state) {
-                                 CompileText(state, folder + "/graph.json", text);
-                               })
+  benchmark::RegisterBenchmark(
+      name.c_str(),
+      [folder, text](benchmark::State& state) { CompileText(state, folder + "/graph.json", text); })
       ->Unit(benchmark::kMillisecond)
       ->Repetitions(5)
       ->ReportAggregatesOnly(false);

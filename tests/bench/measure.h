@@ -16,20 +16,33 @@ struct ProcessFigures {
 // Runs a command `runs` times from start to exit, with its output thrown away.
 ProcessFigures MeasureProcess(const std::vector<std::string>& command, int runs);
 
-// Registers the compilations of synthetic graphs as benchmarks; `folder` gets the pictures that they name.
+// Registers the compilations of synthetic graphs as benchmarks; `folder` gets the pictures that
+// they name.
 void RegisterCompilations(const std::string& folder);
 
 struct ShaderFigures {
   std::string name;
-  // Ours, then the hand-written reference's.
-  int instructions[2] = {0, 0};  // SPIR-V after spirv-opt -O, without names and declarations
-  int samples[2] = {0, 0};
-  double frame_ms[2] = {0, 0};   // fastest of the frames, drawn in turns
-  double difference = 0;         // of the two pictures: mean absolute, in steps of 1/255
+  // Ours, then the hand-written reference's; in the chart then a plain tiled texture's.
+  int instructions[3] = {0, 0, 0};  // SPIR-V after spirv-opt -O, without names and declarations
+  int samples[3] = {0, 0, 0};
+  double frame_ms[3] = {0, 0, 0};  // fastest of the frames, drawn in turns
+  double difference = 0;           // of the first two pictures: mean absolute, in steps of 1/255
   std::string renderer;
   std::string error;
 };
 // Compiles the graph, reads the reference, compares weight, time and picture.
 ShaderFigures MeasureShader(const std::string& graph_path, const std::string& reference_path);
+
+// One cell of the paper's chart (the brick shader generator, section 3.3): a wall of bricks with
+// layers on them.
+struct ChartEntry {
+  int textures = 1;  // of which the layers take one after the other
+  int layers = 1;
+  int side = 256;  // of each texture, in texels
+  ShaderFigures figures;
+};
+// All of them, in the order of textures, layers and sides; `folder` gets the graphs and pictures.
+// Each is compared with tests/bench/reference/chart.frag and with a plain tiled texture.
+std::vector<ChartEntry> MeasureChart(const std::string& root, const std::string& folder);
 
 }  // namespace texgraph::bench

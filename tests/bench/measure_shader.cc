@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // Our shader against one that a person wrote for the same picture: both as SPIR-V after spirv-opt
 // -O, and both drawn.
+#include "tests/bench/measure_shader.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <optional>
+#include <span>
 #include <spirv-tools/optimizer.hpp>
+#include <vector>
 
 #include "compiler/base/files.h"
 #include "compiler/compile.h"
 #include "compiler/spirv/compile_spirv.h"
 #include "runtime/render.h"
-#include "tests/bench/measure.h"
 
 namespace texgraph::bench {
 namespace {
@@ -57,16 +60,17 @@ double MeanDifference(const textures::Image& a, const textures::Image& b) {
   return sum / static_cast<double>(a.pixels.size());
 }
 
-// Draws both shaders in turns, so that a machine that slows down slows both.
-void Draw(runtime::RenderRequest request, const std::string shaders[2], ShaderFigures& figures) {
+// Draws the shaders in turns, so that a machine that slows down slows all of them.
+void Draw(runtime::RenderRequest request, std::span<const std::string> shaders, int quiet_rounds,
+          ShaderFigures& figures) {
   request.width = request.height = kSide;
   request.timed_frames = kFrames;
-  textures::Image pictures[2];
-  figures.frame_ms[0] = figures.frame_ms[1] = 1e9;
+  std::vector<textures::Image> pictures(shaders.size());
+  std::fill_n(figures.frame_ms, shaders.size(), 1e9);
   int quiet = 0;
-  for (int round = 0; round < kMaxRounds && quiet < kQuietRounds; ++round) {
+  for (int round = 0; round < kMaxRounds && quiet < quiet_rounds; ++round) {
     ++quiet;
-    for (int which : {0, 1}) {
+    for (size_t which = 0; which < shaders.size(); ++which) {
       request.shader = shaders[which];
       runtime::RenderResult result = runtime::Render(request);
       if (!result.ok()) {
@@ -86,7 +90,8 @@ void Draw(runtime::RenderRequest request, const std::string shaders[2], ShaderFi
 
 }  // namespace
 
-ShaderFigures MeasureShader(const std::string& graph_path, const std::string& reference_path) {
+ShaderFigures CompareShaders(const std::string& path, std::string_view text,
+                             std::span<const std::string> others, int quiet_rounds) {
   ShaderFigures figures;
   Sources sources;
   Diagnostics diagnostics;
@@ -94,20 +99,22 @@ ShaderFigures MeasureShader(const std::string& graph_path, const std::string& re
     figures.error = std::move(what) + "\n" + FormatDiagnostics(diagnostics, sources, false);
     return figures;
   };
-  auto text = ReadFile(graph_path, 1 << 20, {}, diagnostics);
-  auto reference = ReadFile(reference_path, 1 << 20, {}, diagnostics);
-  if (!text || !reference) return fail("cannot read");
-  SourceId source = sources.Add(graph_path, *text);
+  SourceId source = sources.Add(path, std::string(text));
   CompileOptions options;
   options.target = Target::kSpirv;
-  options.manifest_folder = std::string(FolderOf(graph_path));
-  auto ours = Compile(source, graph::FormatOf(graph_path, *text), options, sources, diagnostics);
+  options.manifest_folder = std::string(FolderOf(path));
+  auto ours = Compile(source, graph::FormatOf(path, text), options, sources, diagnostics);
   if (!ours) return fail("the graph does not compile");
   figures.name = ours->name;
-  auto theirs = spirv::CompileSpirv(*reference, diagnostics);
-  if (!theirs) return fail("the reference does not compile");
-  std::optional<Weight> weights[] = {WeightOf(ours->spirv), WeightOf(*theirs)};
-  for (int i : {0, 1}) {
+  std::vector<std::string> shaders = {ours->glsl};
+  std::vector<std::optional<Weight>> weights = {WeightOf(ours->spirv)};
+  for (const std::string& other : others) {
+    auto theirs = spirv::CompileSpirv(other, diagnostics);
+    if (!theirs) return fail("the reference does not compile");
+    weights.push_back(WeightOf(*theirs));
+    shaders.push_back(other);
+  }
+  for (size_t i = 0; i < weights.size(); ++i) {
     if (!weights[i]) return fail("spirv-opt fails");
     figures.instructions[i] = weights[i]->instructions;
     figures.samples[i] = weights[i]->samples;
@@ -125,9 +132,20 @@ ShaderFigures MeasureShader(const std::string& graph_path, const std::string& re
   if (!runtime::LoadTextures(*manifest, options.manifest_folder, request.textures, diagnostics)) {
     return fail("the pictures cannot be read");
   }
-  const std::string shaders[] = {ours->glsl, *reference};
-  Draw(request, shaders, figures);
+  Draw(request, shaders, quiet_rounds, figures);
   return figures;
+}
+
+ShaderFigures MeasureShader(const std::string& graph_path, const std::string& reference_path) {
+  Diagnostics diagnostics;
+  auto text = ReadFile(graph_path, 1 << 20, {}, diagnostics);
+  auto reference = ReadFile(reference_path, 1 << 20, {}, diagnostics);
+  if (!text || !reference) {
+    ShaderFigures figures;
+    figures.error = "cannot read the graph or its reference";
+    return figures;
+  }
+  return CompareShaders(graph_path, *text, {&*reference, 1}, kQuietRounds);
 }
 
 }  // namespace texgraph::bench

@@ -6,10 +6,12 @@
 namespace texgraph::bench {
 namespace {
 
-std::string Graph(const std::string& textures, const std::string& nodes, const std::string& output) {
-  return fmt::format("{{\n  \"texgraph\": 1,\n{}  \"nodes\": {{\n{}\n  }},\n"
-                     "  \"outputs\": {{ \"color\": \"{}\" }}\n}}\n",
-                     textures, nodes, output);
+std::string Graph(const std::string& textures, const std::string& nodes,
+                  const std::string& output) {
+  return fmt::format(
+      "{{\n  \"texgraph\": 1,\n{}  \"nodes\": {{\n{}\n  }},\n"
+      "  \"outputs\": {{ \"color\": \"{}\" }}\n}}\n",
+      textures, nodes, output);
 }
 
 void Separate(std::string& nodes) {
@@ -23,8 +25,9 @@ std::string ChainOfAdds(int n) {
   std::string last = "start";
   for (int i = 0; i < n; ++i) {
     Separate(nodes);
-    nodes += fmt::format("    \"sum{}\": {{ \"block\": \"add\", \"in\": {{ \"a\": \"{}\", \"b\": {}.25 }} }}", i,
-                         last, i + 1);
+    nodes += fmt::format(
+        "    \"sum{}\": {{ \"block\": \"add\", \"in\": {{ \"a\": \"{}\", \"b\": {}.25 }} }}", i,
+        last, i + 1);
     last = fmt::format("sum{}", i);
   }
   return Graph("", nodes, last);
@@ -36,8 +39,10 @@ std::string NoiseAndMixPairs(int n) {
   for (int i = 0; i < n; ++i) {
     Separate(nodes);
     nodes += fmt::format(
-        "    \"cloud{0}\": {{ \"block\": \"value_noise\", \"in\": {{ \"scale\": [{1}.5, {1}.5], \"seed\": {0} }} }},\n"
-        "    \"mix{0}\": {{ \"block\": \"lerp\", \"in\": {{ \"a\": \"{2}\", \"b\": \"cloud{0}\", \"amount\": 0.5 }} }}",
+        "    \"cloud{0}\": {{ \"block\": \"value_noise\", \"in\": {{ \"scale\": [{1}.5, {1}.5], "
+        "\"seed\": {0} }} }},\n"
+        "    \"mix{0}\": {{ \"block\": \"lerp\", \"in\": {{ \"a\": \"{2}\", \"b\": \"cloud{0}\", "
+        "\"amount\": 0.5 }} }}",
         i, i % 50 + 2, last);
     last = fmt::format("mix{}", i);
   }
@@ -61,7 +66,8 @@ std::string TiledImages(int n, int files) {
     std::string image = fmt::format("image{}", i);
     if (i > 0) {
       nodes += fmt::format(
-          ",\n    \"sum{}\": {{ \"block\": \"add\", \"in\": {{ \"a\": \"{}\", \"b\": \"{}\" }} }}", i, last, image);
+          ",\n    \"sum{}\": {{ \"block\": \"add\", \"in\": {{ \"a\": \"{}\", \"b\": \"{}\" }} }}",
+          i, last, image);
       image = fmt::format("sum{}", i);
     }
     last = image;
@@ -74,8 +80,9 @@ std::string Diamond(int n) {
   std::string last = "start";
   for (int i = 0; i < n; ++i) {
     Separate(nodes);
-    nodes += fmt::format("    \"step{0}\": {{ \"block\": \"add\", \"in\": {{ \"a\": \"{1}\", \"b\": \"{1}\" }} }}",
-                         i, last);
+    nodes += fmt::format(
+        "    \"step{0}\": {{ \"block\": \"add\", \"in\": {{ \"a\": \"{1}\", \"b\": \"{1}\" }} }}",
+        i, last);
     last = fmt::format("step{}", i);
   }
   return Graph("", nodes, last);

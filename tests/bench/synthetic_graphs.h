@@ -10,7 +10,8 @@ namespace texgraph::bench {
 std::string ChainOfAdds(int n);
 // n pairs of a noise, no two alike, and a mix of it with the pair before.
 std::string NoiseAndMixPairs(int n);
-// n samples of tiled pictures over `files` files, no two alike, summed up. The files need not exist to make the text.
+// n samples of tiled pictures over `files` files, no two alike, summed up. The files need not exist
+// to make the text.
 std::string TiledImages(int n, int files);
 // A chain in which each node takes the one before twice: 2^n paths through n nodes.
 std::string Diamond(int n);
