@@ -63,6 +63,8 @@ const int FLIP_BOTH = 3;
 ///   its rotation alone
 /// @param inner_scale the tile scaled about its middle as the image is, for children that follow
 ///   its scale alone
+/// @param present 1 where the tile has its element, 0 where `chance` left it out. As the `chance`
+///   of a child, or a factor of it, it leaves the child out as well
 vec4 image(vec2 uv, Tile tile);
 Tile tile(ivec2 neighbour);
 vec2 position_min(ivec2 neighbour);
@@ -76,11 +78,12 @@ vec3 tint(ivec2 neighbour);
 
 // The element of one tile: its colour, and where it is.
 vec4 draw(ivec2 which, const int fit, const int turn, const int flip, int stream, const bool cut,
-          out Tile inner, out Tile inner_position, out Tile inner_rotation, out Tile inner_scale) {
+          out Tile inner, out Tile inner_position, out Tile inner_rotation, out Tile inner_scale,
+          out float present) {
   float alpha;
   layer_element(tile(which), position_min(which), position_max(which), scale(which),
                 stretch(which), rotation(which), opacity(which), chance(which), fit, turn, flip,
-                stream, cut, alpha, inner, inner_position, inner_rotation, inner_scale);
+                stream, cut, alpha, inner, inner_position, inner_rotation, inner_scale, present);
   vec4 color = vec4(0.0);
   if (cut || alpha > 0.0) {
     color = image(inner.local, inner);
@@ -91,9 +94,10 @@ vec4 draw(ivec2 which, const int fit, const int turn, const int flip, int stream
 
 void layer(const int fit, const int turn, const int flip, const int neighbours, float fade_size,
            vec4 far, int stream, ivec2 neighbour, out vec4 color, out Tile inner,
-           out Tile inner_position, out Tile inner_rotation, out Tile inner_scale) {
+           out Tile inner_position, out Tile inner_rotation, out Tile inner_scale,
+           out float present) {
   color = draw(neighbour, fit, turn, flip, stream, neighbours == 0, inner, inner_position,
-               inner_rotation, inner_scale);
+               inner_rotation, inner_scale, present);
   if (neighbours > 0) {
     // From the last to the first, each under what is there already, until nothing shows through.
     // Where a pixel holds whole tiles their elements lie beside each other in it, not on each other.
@@ -107,7 +111,8 @@ void layer(const int fit, const int turn, const int flip, const int neighbours, 
           Tile b;
           Tile c;
           Tile d;
-          vec4 other = draw(ivec2(x, y), fit, turn, flip, stream, false, a, b, c, d);
+          float e;
+          vec4 other = draw(ivec2(x, y), fit, turn, flip, stream, false, a, b, c, d, e);
           float below = other.a * (1.0 - color.a * on);
           color += vec4(other.rgb * below, below);
         }

@@ -96,10 +96,13 @@ vec2 tilted(vec2 tilt, vec2 by) {
 ///   its rotation alone
 /// @param inner_scale the tile scaled about its middle as the image is, for children that follow
 ///   its scale alone
+/// @param present 1 where the tile has its element, 0 where `chance` left it out. As the `chance`
+///   of a child, or a factor of it, it leaves the child out as well
 void layer_element(Tile tile, vec2 position_min, vec2 position_max, vec2 scale, vec2 stretch,
                    vec2 rotation, vec2 opacity, float chance, const int fit, const int turn,
                    const int flip, int stream, const bool cut, out float alpha, out Tile inner,
-                   out Tile inner_position, out Tile inner_rotation, out Tile inner_scale) {
+                   out Tile inner_position, out Tile inner_rotation, out Tile inner_scale,
+                   out float present) {
   uint seed = hash(tile.seed + uint(stream));
   vec2 pose = random2(seed, -2);
   float angle = radians(mix(rotation.x, rotation.y, pose.y));
@@ -175,7 +178,9 @@ void layer_element(Tile tile, vec2 position_min, vec2 position_max, vec2 scale, 
 
   vec2 luck = random2(seed, -3);
   alpha = mix(opacity.x, opacity.y, luck.x) * coverage(q, along * into, tile.local, cut);
+  present = 1.0;
   if (chance < 1.0 && luck.y >= chance) {
+    present = 0.0;
     alpha = 0.0;
   }
   if (cut) {

@@ -63,6 +63,8 @@ const int FLIP_BOTH = 3;
 ///   its rotation alone
 /// @param inner_scale the tile scaled about its middle as the image is, for children that follow
 ///   its scale alone
+/// @param present 1 where the tile has its element, 0 where `chance` left it out. As the `chance`
+///   of a child, or a factor of it, it leaves the child out as well
 Material image(vec2 uv, Tile tile);
 Tile tile(ivec2 neighbour);
 vec2 position_min(ivec2 neighbour);
@@ -77,11 +79,11 @@ vec3 tint(ivec2 neighbour);
 // The element of one tile: its material, and where it is.
 Material draw(ivec2 which, const int fit, const int turn, const int flip, int stream,
               const bool cut, out Tile inner, out Tile inner_position, out Tile inner_rotation,
-              out Tile inner_scale) {
+              out Tile inner_scale, out float present) {
   float alpha;
   layer_element(tile(which), position_min(which), position_max(which), scale(which), stretch(which),
                 rotation(which), opacity(which), chance(which), fit, turn, flip, stream, cut, alpha,
-                inner, inner_position, inner_rotation, inner_scale);
+                inner, inner_position, inner_rotation, inner_scale, present);
   Material seen = Material(vec4(0.0), vec3(0.0, 0.0, 1.0), 0.0, 0.0, 0.0);
   if (cut || alpha > 0.0) {
     seen = image(inner.local, inner);
@@ -115,11 +117,14 @@ Material mean(Material total) {
 void material_layer(const int fit, const int turn, const int flip, const int neighbours,
                     float fade_size, Material far, int stream, ivec2 neighbour,
                     out Material surface, out Tile inner, out Tile inner_position,
-                    out Tile inner_rotation, out Tile inner_scale) {
+                    out Tile inner_rotation, out Tile inner_scale, out float present) {
   surface = draw(neighbour, fit, turn, flip, stream, neighbours == 0, inner, inner_position,
-                 inner_rotation, inner_scale);
+                 inner_rotation, inner_scale, present);
   if (neighbours > 0) {
     // From the last to the first, each under what is there already, until nothing shows through.
+    // Where a pixel holds whole tiles their elements lie beside each other in it, not on each other.
+    vec2 tiles = footprint(tile(ivec2(0)).local);
+    float on = clamp(2.0 - 2.0 * max(tiles.x, tiles.y), 0.0, 1.0);
     Material total = Material(vec4(0.0), vec3(0.0), 0.0, 0.0, 0.0);
     for (int y = neighbours; y >= -neighbours; --y) {
       for (int x = neighbours; x >= -neighbours; --x) {
@@ -128,12 +133,14 @@ void material_layer(const int fit, const int turn, const int flip, const int nei
           Tile b;
           Tile c;
           Tile d;
-          Material other = draw(ivec2(x, y), fit, turn, flip, stream, false, a, b, c, d);
-          total = sum(total, weighed(other, other.color.a * (1.0 - total.color.a)));
+          float e;
+          Material other = draw(ivec2(x, y), fit, turn, flip, stream, false, a, b, c, d, e);
+          total = sum(total, weighed(other, other.color.a * (1.0 - total.color.a * on)));
         }
       }
     }
     surface = mean(total);
+    surface.color.a = min(surface.color.a, 1.0);
   }
   if (fade_size > 0.0) {
     Tile here = tile(ivec2(0));

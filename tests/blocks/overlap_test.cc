@@ -129,6 +129,36 @@ TEST(OverlapTest, ChildrenGoOverTheBorderWithTheirParents) {
       [&](const Frame& tile) { return PlaceIn(PlaceIn(tile, near), kChild); }, 4e-3);
 }
 
+// A child whose chance is its parent's presence is there when the parent is, whoever's tile it is
+// in.
+TEST(OverlapTest, ChildrenCanBeLeftOutWithTheirParents) {
+  const std::vector<Point> points = Scatter(600);
+  auto outputs = RunGraph(R"({"texgraph": 1, "nodes": {
+      "grid": {"block": "brick_grid", "in": {"rows": 6, "columns": 3, "seed": 7}},
+      "parent": {"block": "layer", "in": {"tile": "grid", "image": [1, 1, 1, 1], "chance": 0.4,
+                 "position_min": 0.2, "position_max": 0.8}},
+      "child": {"block": "layer", "in": {"tile": "parent.inner", "image": [1, 1, 1, 1],
+                "scale": 0.5, "stream": 1, "chance": "parent.present"}},
+      "free": {"block": "layer", "in": {"tile": "parent.inner", "image": [1, 1, 1, 1],
+               "scale": 0.5, "stream": 1}},
+      "a": {"block": "channel", "in": {"color": "parent.color", "name": "a"}},
+      "b": {"block": "channel", "in": {"color": "child.color", "name": "a"}},
+      "c": {"block": "channel", "in": {"color": "free.color", "name": "a"}}},
+    "outputs": {"opacity": "a", "height": "b", "roughness": "c"}})",
+                          points, {1e-4, 1e-4});
+  ASSERT_EQ(outputs.size(), 3u);
+  int alone = 0, together = 0;
+  for (size_t i = 0; i < points.size(); ++i) {
+    const bool parent = outputs["opacity"].Float(i) > 0.5, child = outputs["height"].Float(i) > 0.5;
+    // The child lies in the middle of its parent, and is half as large.
+    EXPECT_TRUE(parent || !child) << points[i].x << " " << points[i].y;
+    together += child;
+    alone += outputs["roughness"].Float(i) > 0.5 && !parent;
+  }
+  EXPECT_GT(together, 30);
+  EXPECT_GT(alone, 30);
+}
+
 // What varies by tile is asked of each tile that is looked at.
 TEST(OverlapTest, OtherPortsAreThoseOfTheElementsTile) {
   const std::vector<Point> points = Scatter(400);

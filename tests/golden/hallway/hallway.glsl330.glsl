@@ -44,19 +44,19 @@ uint hallway_hash(uint value) {
 }
 
 // brick_grid (tiles/brick_grid.glsl)
-void hallway_brick_grid_brick_tiles(vec2 uv, vec2 uv_dx, vec2 uv_dy, out hallway_Tile tile,
-    out vec2 tile_local_dx, out vec2 tile_local_dy) {
-  vec2 p = uv * vec2(9.0, 18.0);
+void hallway_brick_grid_brick_tiles(vec2 uv, int rows, int columns, float row_offset, int seed,
+    vec2 uv_dx, vec2 uv_dy, out hallway_Tile tile, out vec2 tile_local_dx, out vec2 tile_local_dy) {
+  vec2 cells = vec2(float(columns), float(rows));
+  vec2 p = uv * cells;
   int row = int(floor(p.y));
-  uint row_bits = hallway_hash(uint(row) + 2831084092u);
-  p = vec2(p.x + 0.5 * float(row & 1), p.y);
+  uint row_bits = hallway_hash(uint(row) + hallway_hash(uint(seed)));
+  p = vec2(p.x + row_offset * float(row & 1), p.y);
   vec2 corner = floor(p);
   int column = int(corner.x);
   uint hash_value = hallway_hash(uint(column) + row_bits);
-  tile = hallway_Tile(p - corner, vec2(0.11111111, 0.055555556), hash_value, vec2(1.0, 0.0),
-      vec2(0.0, 1.0));
-  tile_local_dx = uv_dx * vec2(9.0, 18.0);
-  tile_local_dy = uv_dy * vec2(9.0, 18.0);
+  tile = hallway_Tile(p - corner, 1.0 / cells, hash_value, vec2(1.0, 0.0), vec2(0.0, 1.0));
+  tile_local_dx = uv_dx * cells;
+  tile_local_dy = uv_dy * cells;
 }
 
 // coverage_brick_layer, of layer_element (layers/layer_element.glsl)
@@ -344,13 +344,16 @@ hallway_Material hallway_draw_holes(vec2 uv, ivec2 which, vec2 uv_dx, vec2 uv_dy
 }
 
 // material_layer (materials/material_layer.glsl)
-hallway_Material hallway_material_layer_holes(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
+hallway_Material hallway_material_layer_holes(vec2 uv, vec2 uv_dx, vec2 uv_dy, vec2 tile_local_dx,
+    vec2 tile_local_dy) {
+  vec2 tiles = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
+  float on = clamp(2.0 - 2.0 * max(tiles.x, tiles.y), 0.0, 1.0);
   hallway_Material total = hallway_Material(vec4(0.0), vec3(0.0), 0.0, 0.0, 0.0);
   for (int y = 1; y > -2; --y) {
     for (int x = 1; x > -2; --x) {
       if (total.color.w < 0.999) {
         hallway_Material other = hallway_draw_holes(uv, ivec2(x, y), uv_dx, uv_dy);
-        float product = other.color.w * (1.0 - total.color.w);
+        float product = other.color.w * (1.0 - total.color.w * on);
         vec4 sum = total.color + vec4(other.color.xyz * product, product);
         vec3 sum2 = total.normal + product * other.normal;
         float sum3 = total.roughness + product * other.roughness;
@@ -360,6 +363,9 @@ hallway_Material hallway_material_layer_holes(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
     }
   }
   hallway_Material surface = hallway_mean(total);
+  vec4 vector = vec4(surface.color.xyz, min(surface.color.w, 1.0));
+  surface = hallway_Material(vector, surface.normal, surface.height, surface.roughness,
+      surface.metallic);
   return surface;
 }
 
@@ -485,13 +491,16 @@ hallway_Material hallway_draw_cracks(vec2 uv, ivec2 which, vec2 uv_dx, vec2 uv_d
 }
 
 // material_layer (materials/material_layer.glsl)
-hallway_Material hallway_material_layer_cracks(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
+hallway_Material hallway_material_layer_cracks(vec2 uv, vec2 uv_dx, vec2 uv_dy, vec2 tile_local_dx,
+    vec2 tile_local_dy) {
+  vec2 tiles = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
+  float on = clamp(2.0 - 2.0 * max(tiles.x, tiles.y), 0.0, 1.0);
   hallway_Material total = hallway_Material(vec4(0.0), vec3(0.0), 0.0, 0.0, 0.0);
   for (int y = 2; y > -3; --y) {
     for (int x = 2; x > -3; --x) {
       if (total.color.w < 0.999) {
         hallway_Material other = hallway_draw_cracks(uv, ivec2(x, y), uv_dx, uv_dy);
-        float product = other.color.w * (1.0 - total.color.w);
+        float product = other.color.w * (1.0 - total.color.w * on);
         vec4 sum = total.color + vec4(other.color.xyz * product, product);
         vec3 sum2 = total.normal + product * other.normal;
         float sum3 = total.roughness + product * other.roughness;
@@ -501,6 +510,9 @@ hallway_Material hallway_material_layer_cracks(vec2 uv, vec2 uv_dx, vec2 uv_dy) 
     }
   }
   hallway_Material surface = hallway_mean(total);
+  vec4 vector = vec4(surface.color.xyz, min(surface.color.w, 1.0));
+  surface = hallway_Material(vector, surface.normal, surface.height, surface.roughness,
+      surface.metallic);
   return surface;
 }
 
@@ -773,12 +785,14 @@ hallway_Material hallway_draw_doors(vec2 uv, ivec2 which, vec2 uv_dx, vec2 uv_dy
 
 // material_layer (materials/material_layer.glsl)
 hallway_Material hallway_material_layer_doors(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
+  vec2 tiles = sqrt(uv_dx * uv_dx + uv_dy * uv_dy);
+  float on = clamp(2.0 - 2.0 * max(tiles.x, tiles.y), 0.0, 1.0);
   hallway_Material total = hallway_Material(vec4(0.0), vec3(0.0), 0.0, 0.0, 0.0);
   for (int y = 1; y > -2; --y) {
     for (int x = 1; x > -2; --x) {
       if (total.color.w < 0.999) {
         hallway_Material other = hallway_draw_doors(uv, ivec2(x, y), uv_dx, uv_dy);
-        float product = other.color.w * (1.0 - total.color.w);
+        float product = other.color.w * (1.0 - total.color.w * on);
         vec4 sum = total.color + vec4(other.color.xyz * product, product);
         vec3 sum2 = total.normal + product * other.normal;
         float sum3 = total.roughness + product * other.roughness;
@@ -788,6 +802,9 @@ hallway_Material hallway_material_layer_doors(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
     }
   }
   hallway_Material surface = hallway_mean(total);
+  vec4 vector = vec4(surface.color.xyz, min(surface.color.w, 1.0));
+  surface = hallway_Material(vector, surface.normal, surface.height, surface.roughness,
+      surface.metallic);
   return surface;
 }
 
@@ -797,7 +814,7 @@ void hallway(vec2 uv, out vec4 color, out vec3 normal, out float roughness, out 
   // brick_tiles: brick_grid (tiles/brick_grid.glsl)
   hallway_Tile brick_tiles;
   vec2 brick_tiles_local_dx, brick_tiles_local_dy;
-  hallway_brick_grid_brick_tiles(uv, uv_dx, uv_dy, brick_tiles, brick_tiles_local_dx,
+  hallway_brick_grid_brick_tiles(uv, 18, 9, 0.5, 1, uv_dx, uv_dy, brick_tiles, brick_tiles_local_dx,
       brick_tiles_local_dy);
   // brick_layer: material_layer (materials/material_layer.glsl)
   hallway_Material brick_layer_surface = hallway_draw_brick_layer(brick_tiles, brick_tiles_local_dx,
@@ -853,8 +870,12 @@ void hallway(vec2 uv, out vec4 color, out vec3 normal, out float roughness, out 
   vec4 aged_rgba = vec4(aged, 1.0);
   // gloss: lerp (math/lerp.glsl)
   float gloss = mix(0.8, 0.5, dado);
+  // hole_tiles: brick_grid (tiles/brick_grid.glsl)
+  vec2 hole_tiles_local_dx = uv_dx * 2.0;
+  vec2 hole_tiles_local_dy = uv_dy * 2.0;
   // holes: material_layer (materials/material_layer.glsl)
-  hallway_Material holes_surface = hallway_material_layer_holes(uv, uv_dx, uv_dy);
+  hallway_Material holes_surface = hallway_material_layer_holes(uv, uv_dx, uv_dy,
+      hole_tiles_local_dx, hole_tiles_local_dy);
   // no_finish: smooth_step (math/smooth_step.glsl)
   float no_finish = hallway_smooth_step(holes_surface.color.w, 0.2, 0.32);
   // no_coat: smooth_step (math/smooth_step.glsl)
@@ -877,8 +898,14 @@ void hallway(vec2 uv, out vec4 color, out vec3 normal, out float roughness, out 
   hallway_Material coated = hallway_material_over_coated(coat, bricks, keep_coat);
   // plastered: material_over (materials/material_over.glsl)
   hallway_Material plastered = hallway_material_over_coated(finish, coated, keep_finish);
+  // crack_tiles: brick_grid (tiles/brick_grid.glsl)
+  hallway_Tile tile;
+  vec2 crack_tiles_local_dx, crack_tiles_local_dy;
+  hallway_brick_grid_brick_tiles(uv, 2, 2, 0.37, 12, uv_dx, uv_dy, tile, crack_tiles_local_dx,
+      crack_tiles_local_dy);
   // cracks: material_layer (materials/material_layer.glsl)
-  hallway_Material cracks_surface = hallway_material_layer_cracks(uv, uv_dx, uv_dy);
+  hallway_Material cracks_surface = hallway_material_layer_cracks(uv, uv_dx, uv_dy,
+      crack_tiles_local_dx, crack_tiles_local_dy);
   // cracked: material_over (materials/material_over.glsl)
   hallway_Material cracked = hallway_material_over_cracked(cracks_surface, plastered);
   // rail: rectangle (patterns/rectangle.glsl)

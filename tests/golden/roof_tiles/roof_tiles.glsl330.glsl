@@ -26,6 +26,13 @@ struct roof_tiles_Material {
   float roughness;
 };
 
+// hash (random/hash.glsl)
+uint roof_tiles_hash(uint value) {
+  uint state = value * 747796405u + 2891336453u;
+  uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+  return (word >> 22u) ^ word;
+}
+
 // mean, of material_layer (materials/material_layer.glsl)
 roof_tiles_Material roof_tiles_mean(roof_tiles_Material total) {
   float share = 1.0 / max(total.color.w, 1e-20);
@@ -33,13 +40,6 @@ roof_tiles_Material roof_tiles_mean(roof_tiles_Material total) {
   vec4 vector = vec4(total.color.xyz * share, total.color.w);
   vec3 product = n * inversesqrt(max(dot(n, n), 1e-20));
   return roof_tiles_Material(vector, product, total.height * share, total.roughness * share);
-}
-
-// hash (random/hash.glsl)
-uint roof_tiles_hash(uint value) {
-  uint state = value * 747796405u + 2891336453u;
-  uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
-  return (word >> 22u) ^ word;
 }
 
 // brick_grid (tiles/brick_grid.glsl)
@@ -232,13 +232,16 @@ roof_tiles_Material roof_tiles_draw_tiles(vec2 uv, ivec2 which, vec2 uv_dx, vec2
 }
 
 // material_layer (materials/material_layer.glsl)
-roof_tiles_Material roof_tiles_material_layer_tiles(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
+roof_tiles_Material roof_tiles_material_layer_tiles(vec2 uv, vec2 uv_dx, vec2 uv_dy,
+    vec2 tile_local_dx, vec2 tile_local_dy) {
+  vec2 tiles = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
+  float on = clamp(2.0 - 2.0 * max(tiles.x, tiles.y), 0.0, 1.0);
   roof_tiles_Material total = roof_tiles_Material(vec4(0.0), vec3(0.0), 0.0, 0.0);
   for (int y = 1; y > -2; --y) {
     for (int x = 1; x > -2; --x) {
       if (total.color.w < 0.999) {
         roof_tiles_Material other = roof_tiles_draw_tiles(uv, ivec2(x, y), uv_dx, uv_dy);
-        float product = other.color.w * (1.0 - total.color.w);
+        float product = other.color.w * (1.0 - total.color.w * on);
         vec4 sum = total.color + vec4(other.color.xyz * product, product);
         vec3 sum2 = total.normal + product * other.normal;
         float sum3 = total.roughness + product * other.roughness;
@@ -247,6 +250,8 @@ roof_tiles_Material roof_tiles_material_layer_tiles(vec2 uv, vec2 uv_dx, vec2 uv
     }
   }
   roof_tiles_Material surface = roof_tiles_mean(total);
+  vec4 vector = vec4(surface.color.xyz, min(surface.color.w, 1.0));
+  surface = roof_tiles_Material(vector, surface.normal, surface.height, surface.roughness);
   return surface;
 }
 
@@ -332,13 +337,16 @@ roof_tiles_Material roof_tiles_draw_moss_layer(vec2 uv, ivec2 which, vec2 uv_dx,
 }
 
 // material_layer (materials/material_layer.glsl)
-roof_tiles_Material roof_tiles_material_layer_moss_layer(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
+roof_tiles_Material roof_tiles_material_layer_moss_layer(vec2 uv, vec2 uv_dx, vec2 uv_dy,
+    vec2 tile_local_dx, vec2 tile_local_dy) {
+  vec2 tiles = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
+  float on = clamp(2.0 - 2.0 * max(tiles.x, tiles.y), 0.0, 1.0);
   roof_tiles_Material total = roof_tiles_Material(vec4(0.0), vec3(0.0), 0.0, 0.0);
   for (int y = 1; y > -2; --y) {
     for (int x = 1; x > -2; --x) {
       if (total.color.w < 0.999) {
         roof_tiles_Material other = roof_tiles_draw_moss_layer(uv, ivec2(x, y), uv_dx, uv_dy);
-        float product = other.color.w * (1.0 - total.color.w);
+        float product = other.color.w * (1.0 - total.color.w * on);
         vec4 sum = total.color + vec4(other.color.xyz * product, product);
         vec3 sum2 = total.normal + product * other.normal;
         float sum3 = total.roughness + product * other.roughness;
@@ -347,6 +355,8 @@ roof_tiles_Material roof_tiles_material_layer_moss_layer(vec2 uv, vec2 uv_dx, ve
     }
   }
   roof_tiles_Material surface = roof_tiles_mean(total);
+  vec4 vector = vec4(surface.color.xyz, min(surface.color.w, 1.0));
+  surface = roof_tiles_Material(vector, surface.normal, surface.height, surface.roughness);
   return surface;
 }
 
@@ -374,12 +384,20 @@ roof_tiles_Material roof_tiles_material_over_overgrown(roof_tiles_Material foreg
 
 void roof_tiles(vec2 uv, out vec4 color, out vec3 normal, out float roughness, out float height) {
   vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
+  // grid: brick_grid (tiles/brick_grid.glsl)
+  vec2 grid_local_dx = uv_dx * 8.0;
+  vec2 grid_local_dy = uv_dy * 8.0;
   // tiles: material_layer (materials/material_layer.glsl)
-  roof_tiles_Material tiles_surface = roof_tiles_material_layer_tiles(uv, uv_dx, uv_dy);
+  roof_tiles_Material tiles_surface = roof_tiles_material_layer_tiles(uv, uv_dx, uv_dy,
+      grid_local_dx, grid_local_dy);
   // roof: material_over (materials/material_over.glsl)
   roof_tiles_Material roof = roof_tiles_material_over_roof(tiles_surface);
+  // moss_grid: brick_grid (tiles/brick_grid.glsl)
+  vec2 moss_grid_local_dx = uv_dx * 5.0;
+  vec2 moss_grid_local_dy = uv_dy * 5.0;
   // moss_layer: material_layer (materials/material_layer.glsl)
-  roof_tiles_Material moss_layer_surface = roof_tiles_material_layer_moss_layer(uv, uv_dx, uv_dy);
+  roof_tiles_Material moss_layer_surface = roof_tiles_material_layer_moss_layer(uv, uv_dx, uv_dy,
+      moss_grid_local_dx, moss_grid_local_dy);
   // overgrown: material_over (materials/material_over.glsl)
   roof_tiles_Material overgrown = roof_tiles_material_over_overgrown(moss_layer_surface, roof,
       moss_amount);

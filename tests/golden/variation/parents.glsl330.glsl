@@ -21,15 +21,6 @@ struct parents_Material {
   float metallic;
 };
 
-// mean, of material_layer (materials/material_layer.glsl)
-parents_Material parents_mean(parents_Material total) {
-  float share = 1.0 / max(total.color.w, 1e-20);
-  vec3 n = total.normal + vec3(0.0, 0.0, 1e-9);
-  vec4 vector = vec4(total.color.xyz * share, total.color.w);
-  vec3 product = n * inversesqrt(max(dot(n, n), 1e-20));
-  return parents_Material(vector, product, total.roughness * share, total.metallic * share);
-}
-
 // hash (random/hash.glsl)
 uint parents_hash(uint value) {
   uint state = value * 747796405u + 2891336453u;
@@ -38,12 +29,12 @@ uint parents_hash(uint value) {
 }
 
 // brick_grid (tiles/brick_grid.glsl)
-void parents_brick_grid(vec2 uv, ivec2 neighbour, vec2 uv_dx, vec2 uv_dy, out parents_Tile tile,
+void parents_brick_grid(vec2 uv, vec2 uv_dx, vec2 uv_dy, out parents_Tile tile,
     out vec2 tile_local_dx, out vec2 tile_local_dy) {
   vec2 p = uv * 4.0;
-  int row = int(floor(p.y)) + neighbour.y;
+  int row = int(floor(p.y));
   uint row_bits = parents_hash(uint(row) + 4048597412u);
-  vec2 corner = floor(p) + vec2(neighbour);
+  vec2 corner = floor(p);
   int column = int(corner.x);
   uint hash_value = parents_hash(uint(column) + row_bits);
   tile = parents_Tile(p - corner, vec2(0.25), hash_value, vec2(1.0, 0.0), vec2(0.0, 1.0));
@@ -87,6 +78,41 @@ void parents_layer_element(parents_Tile tile, vec2 position_min, vec2 position_m
   inner = parents_Tile(q, size * tile.size, seed, right, up);
   inner_local_dx = q_dx;
   inner_local_dy = q_dy;
+}
+
+// draw_tiles, of material_layer (materials/material_layer.glsl)
+void parents_draw_tiles(parents_Tile tile, vec2 tile_local_dx, vec2 tile_local_dy,
+    out vec2 inner_local_dx, out vec2 inner_local_dy) {
+  float alpha;
+  parents_Tile inner;
+  vec2 inner_local_dx2, inner_local_dy2;
+  parents_layer_element(tile, vec2(0.44), vec2(0.56), vec2(0.7, 0.9), vec2(-16.0, 16.0), 0,
+      tile_local_dx, tile_local_dy, alpha, inner, inner_local_dx2, inner_local_dy2);
+  inner_local_dx = inner_local_dx2;
+  inner_local_dy = inner_local_dy2;
+}
+
+// mean, of material_layer (materials/material_layer.glsl)
+parents_Material parents_mean(parents_Material total) {
+  float share = 1.0 / max(total.color.w, 1e-20);
+  vec3 n = total.normal + vec3(0.0, 0.0, 1e-9);
+  vec4 vector = vec4(total.color.xyz * share, total.color.w);
+  vec3 product = n * inversesqrt(max(dot(n, n), 1e-20));
+  return parents_Material(vector, product, total.roughness * share, total.metallic * share);
+}
+
+// brick_grid (tiles/brick_grid.glsl)
+void parents_brick_grid(vec2 uv, ivec2 neighbour, vec2 uv_dx, vec2 uv_dy, out parents_Tile tile,
+    out vec2 tile_local_dx, out vec2 tile_local_dy) {
+  vec2 p = uv * 4.0;
+  int row = int(floor(p.y)) + neighbour.y;
+  uint row_bits = parents_hash(uint(row) + 4048597412u);
+  vec2 corner = floor(p) + vec2(neighbour);
+  int column = int(corner.x);
+  uint hash_value = parents_hash(uint(column) + row_bits);
+  tile = parents_Tile(p - corner, vec2(0.25), hash_value, vec2(1.0, 0.0), vec2(0.0, 1.0));
+  tile_local_dx = uv_dx * 4.0;
+  tile_local_dy = uv_dy * 4.0;
 }
 
 // normal_map (materials/normal_map.glsl)
@@ -159,13 +185,19 @@ parents_Material parents_draw_tiles(vec2 uv, ivec2 which, vec2 uv_dx, vec2 uv_dy
 }
 
 // material_layer (materials/material_layer.glsl)
-parents_Material parents_material_layer_tiles(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
+void parents_material_layer_tiles(vec2 uv, parents_Tile tile, vec2 uv_dx, vec2 uv_dy,
+    vec2 tile_local_dx, vec2 tile_local_dy, out parents_Material surface, out vec2 inner_local_dx,
+    out vec2 inner_local_dy) {
+  vec2 inner_local_dx2, inner_local_dy2;
+  parents_draw_tiles(tile, tile_local_dx, tile_local_dy, inner_local_dx2, inner_local_dy2);
+  vec2 tiles = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
+  float on = clamp(2.0 - 2.0 * max(tiles.x, tiles.y), 0.0, 1.0);
   parents_Material total = parents_Material(vec4(0.0), vec3(0.0), 0.0, 0.0);
   for (int y = 1; y > -2; --y) {
     for (int x = 1; x > -2; --x) {
       if (total.color.w < 0.999) {
         parents_Material other = parents_draw_tiles(uv, ivec2(x, y), uv_dx, uv_dy);
-        float product = other.color.w * (1.0 - total.color.w);
+        float product = other.color.w * (1.0 - total.color.w * on);
         vec4 sum = total.color + vec4(other.color.xyz * product, product);
         vec3 sum2 = total.normal + product * other.normal;
         float sum3 = total.roughness + product * other.roughness;
@@ -173,8 +205,11 @@ parents_Material parents_material_layer_tiles(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
       }
     }
   }
-  parents_Material surface = parents_mean(total);
-  return surface;
+  parents_Material surface2 = parents_mean(total);
+  vec4 vector = vec4(surface2.color.xyz, min(surface2.color.w, 1.0));
+  surface = parents_Material(vector, surface2.normal, surface2.roughness, surface2.metallic);
+  inner_local_dx = inner_local_dx2;
+  inner_local_dy = inner_local_dy2;
 }
 
 // draw_tiles, of material_layer (materials/material_layer.glsl)
@@ -288,13 +323,16 @@ parents_Material parents_draw_stars(vec2 uv, ivec2 which, vec2 uv_dx, vec2 uv_dy
 }
 
 // material_layer (materials/material_layer.glsl)
-parents_Material parents_material_layer_stars(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
+parents_Material parents_material_layer_stars(vec2 uv, vec2 uv_dx, vec2 uv_dy, vec2 tile_local_dx,
+    vec2 tile_local_dy) {
+  vec2 tiles = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
+  float on = clamp(2.0 - 2.0 * max(tiles.x, tiles.y), 0.0, 1.0);
   parents_Material total = parents_Material(vec4(0.0), vec3(0.0), 0.0, 0.0);
   for (int y = 1; y > -2; --y) {
     for (int x = 1; x > -2; --x) {
       if (total.color.w < 0.999) {
         parents_Material other = parents_draw_stars(uv, ivec2(x, y), uv_dx, uv_dy);
-        float product = other.color.w * (1.0 - total.color.w);
+        float product = other.color.w * (1.0 - total.color.w * on);
         vec4 sum = total.color + vec4(other.color.xyz * product, product);
         vec3 sum2 = total.normal + product * other.normal;
         float sum3 = total.roughness + product * other.roughness;
@@ -303,6 +341,8 @@ parents_Material parents_material_layer_stars(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
     }
   }
   parents_Material surface = parents_mean(total);
+  vec4 vector = vec4(surface.color.xyz, min(surface.color.w, 1.0));
+  surface = parents_Material(vector, surface.normal, surface.roughness, surface.metallic);
   return surface;
 }
 
@@ -339,10 +379,18 @@ parents_Material parents_material_over_starred(parents_Material foreground,
 
 void parents(vec2 uv, out vec4 color, out vec3 normal, out float roughness, out float metallic) {
   vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
+  // grid: brick_grid (tiles/brick_grid.glsl)
+  parents_Tile grid;
+  vec2 grid_local_dx, grid_local_dy;
+  parents_brick_grid(uv, uv_dx, uv_dy, grid, grid_local_dx, grid_local_dy);
   // tiles: material_layer (materials/material_layer.glsl)
-  parents_Material tiles_surface = parents_material_layer_tiles(uv, uv_dx, uv_dy);
+  parents_Material tiles_surface;
+  vec2 tiles_inner_local_dx, tiles_inner_local_dy;
+  parents_material_layer_tiles(uv, grid, uv_dx, uv_dy, grid_local_dx, grid_local_dy, tiles_surface,
+      tiles_inner_local_dx, tiles_inner_local_dy);
   // stars: material_layer (materials/material_layer.glsl)
-  parents_Material stars_surface = parents_material_layer_stars(uv, uv_dx, uv_dy);
+  parents_Material stars_surface = parents_material_layer_stars(uv, uv_dx, uv_dy,
+      tiles_inner_local_dx, tiles_inner_local_dy);
   // tiled: material_over (materials/material_over.glsl)
   parents_Material tiled = parents_material_over_tiled(tiles_surface);
   // starred: material_over (materials/material_over.glsl)
