@@ -551,7 +551,7 @@ Tile brick_grid_window_tiles(vec2 uv) {
 
 // layer_element (layers/layer_element.glsl)
 void layer_element_windows(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy, out float alpha,
-    out Tile inner, out vec2 inner_local_dx, out vec2 inner_local_dy) {
+    out Tile inner, out float present, out vec2 inner_local_dx, out vec2 inner_local_dy) {
   uint seed = hash(tile.seed + 2u);
   uint hash_value = hash(seed - 1u);
   vec2 product = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
@@ -564,11 +564,13 @@ void layer_element_windows(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy, ou
   vec2 luck = vec2(float(hash_value2 & 65535u), float(hash_value2 >> 16u)) * 1.5258789e-5;
   float alpha2 = coverage_brick_layer(q, vec2(2.9411764, 2.3529413), tile.local, q_dx, q_dy,
       tile_local_dx, tile_local_dy);
-  alpha2 = luck.y >= 0.6 ? 0.0 : alpha2;
+  bool test = luck.y >= 0.6;
+  alpha2 = test ? 0.0 : alpha2;
   vec2 width = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
   float far = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
   alpha = mix(alpha2, 0.086700015, far);
   inner = Tile(q, vec2(0.34, 0.425) * tile.size, seed, tile.right, tile.up);
+  present = test ? 0.0 : 1.0;
   inner_local_dx = q_dx;
   inner_local_dy = q_dy;
 }
@@ -593,10 +595,10 @@ Material window_surface(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
 // draw_windows, of material_layer (materials/material_layer.glsl)
 Material draw_windows(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy, out vec2 inner_local_dx,
     out vec2 inner_local_dy) {
-  float alpha;
+  float alpha, present;
   Tile inner;
   vec2 inner_local_dx2, inner_local_dy2;
-  layer_element_windows(tile, tile_local_dx, tile_local_dy, alpha, inner, inner_local_dx2,
+  layer_element_windows(tile, tile_local_dx, tile_local_dy, alpha, inner, present, inner_local_dx2,
       inner_local_dy2);
   Material seen = window_surface(inner.local, inner_local_dx2, inner_local_dy2);
   vec4 vector = vec4(seen.color.xyz, seen.color.w * alpha);
@@ -620,20 +622,21 @@ Tile brick_grid_window_tiles2(vec2 uv, int seed, ivec2 neighbour) {
 
 // draw_windows, of material_layer (materials/material_layer.glsl)
 void draw_windows(vec2 between, ivec2 home, vec2 between_dx, vec2 between_dy, out Tile inner,
-    out vec2 inner_local_dx, out vec2 inner_local_dy) {
-  float alpha;
+    out float present, out vec2 inner_local_dx, out vec2 inner_local_dy) {
+  float alpha, present2;
   Tile inner2;
   vec2 inner_local_dx2, inner_local_dy2;
   layer_element_windows(brick_grid_window_tiles2(between, 31, home), between_dx, between_dy, alpha,
-      inner2, inner_local_dx2, inner_local_dy2);
+      inner2, present2, inner_local_dx2, inner_local_dy2);
   inner = inner2;
+  present = present2;
   inner_local_dx = inner_local_dx2;
   inner_local_dy = inner_local_dy2;
 }
 
 // layer_element (layers/layer_element.glsl)
-void layer_element_runs(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy, out float alpha,
-    out Tile inner, out vec2 inner_local_dx, out vec2 inner_local_dy) {
+void layer_element_runs(Tile tile, float chance, vec2 tile_local_dx, vec2 tile_local_dy,
+    out float alpha, out Tile inner, out vec2 inner_local_dx, out vec2 inner_local_dy) {
   uint seed = hash(tile.seed);
   uint hash_value = hash(seed - 2u);
   vec2 pose = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
@@ -656,7 +659,7 @@ void layer_element_runs(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy, out f
   uint hash_value3 = hash(seed - 3u);
   vec2 luck = vec2(float(hash_value3 & 65535u), float(hash_value3 >> 16u)) * 1.5258789e-5;
   float alpha2 = mix(0.5, 1.0, luck.x) * coverage_holes(q, into, q_dx, q_dy);
-  alpha = luck.y >= 0.9 ? 0.0 : alpha2;
+  alpha = chance < 1.0 && chance <= luck.y ? 0.0 : alpha2;
   inner = Tile(sum, size * vec2(1.0, ratio) * tile.size, seed, point, tile.up);
   inner_local_dx = vec2(test ? -q_dx.x : q_dx.x, q_dx.y);
   inner_local_dy = vec2(test ? -q_dy.x : q_dy.x, q_dy.y);
@@ -665,13 +668,15 @@ void layer_element_runs(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy, out f
 // draw_runs, of layer (layers/layer.glsl)
 vec4 draw_runs(vec2 between, ivec2 which, vec2 between_dx, vec2 between_dy) {
   Tile inner2;
+  float present;
   vec2 inner_local_dx2, inner_local_dy2;
-  draw_windows(between, which, between_dx, between_dy, inner2, inner_local_dx2, inner_local_dy2);
+  draw_windows(between, which, between_dx, between_dy, inner2, present, inner_local_dx2,
+      inner_local_dy2);
   float alpha;
   Tile inner;
   vec2 inner_local_dx, inner_local_dy;
-  layer_element_runs(inner2, inner_local_dx2, inner_local_dy2, alpha, inner, inner_local_dx,
-      inner_local_dy);
+  layer_element_runs(inner2, present, inner_local_dx2, inner_local_dy2, alpha, inner,
+      inner_local_dx, inner_local_dy);
   vec4 color = vec4(0.0);
   if (alpha > 0.0) {
     color = textureGrad(soot, inner.local, inner_local_dx, inner_local_dy);

@@ -553,7 +553,8 @@ hallway_Tile hallway_brick_grid_window_tiles(vec2 uv) {
 
 // layer_element (layers/layer_element.glsl)
 void hallway_layer_element_windows(hallway_Tile tile, vec2 tile_local_dx, vec2 tile_local_dy,
-    out float alpha, out hallway_Tile inner, out vec2 inner_local_dx, out vec2 inner_local_dy) {
+    out float alpha, out hallway_Tile inner, out float present, out vec2 inner_local_dx,
+    out vec2 inner_local_dy) {
   uint seed = hallway_hash(tile.seed + 2u);
   uint hash_value = hallway_hash(seed - 1u);
   vec2 product = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
@@ -566,11 +567,13 @@ void hallway_layer_element_windows(hallway_Tile tile, vec2 tile_local_dx, vec2 t
   vec2 luck = vec2(float(hash_value2 & 65535u), float(hash_value2 >> 16u)) * 1.5258789e-5;
   float alpha2 = hallway_coverage_brick_layer(q, vec2(2.9411764, 2.3529413), tile.local, q_dx, q_dy,
       tile_local_dx, tile_local_dy);
-  alpha2 = luck.y >= 0.6 ? 0.0 : alpha2;
+  bool test = luck.y >= 0.6;
+  alpha2 = test ? 0.0 : alpha2;
   vec2 width = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
   float far = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
   alpha = mix(alpha2, 0.086700015, far);
   inner = hallway_Tile(q, vec2(0.34, 0.425) * tile.size, seed, tile.right, tile.up);
+  present = test ? 0.0 : 1.0;
   inner_local_dx = q_dx;
   inner_local_dy = q_dy;
 }
@@ -595,11 +598,11 @@ hallway_Material hallway_window_surface(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
 // draw_windows, of material_layer (materials/material_layer.glsl)
 hallway_Material hallway_draw_windows(hallway_Tile tile, vec2 tile_local_dx, vec2 tile_local_dy,
     out vec2 inner_local_dx, out vec2 inner_local_dy) {
-  float alpha;
+  float alpha, present;
   hallway_Tile inner;
   vec2 inner_local_dx2, inner_local_dy2;
-  hallway_layer_element_windows(tile, tile_local_dx, tile_local_dy, alpha, inner, inner_local_dx2,
-      inner_local_dy2);
+  hallway_layer_element_windows(tile, tile_local_dx, tile_local_dy, alpha, inner, present,
+      inner_local_dx2, inner_local_dy2);
   hallway_Material seen = hallway_window_surface(inner.local, inner_local_dx2, inner_local_dy2);
   vec4 vector = vec4(seen.color.xyz, seen.color.w * alpha);
   vec3 vector2 = vec3(seen.normal.x * inner.right + seen.normal.y * inner.up, seen.normal.z);
@@ -623,20 +626,22 @@ hallway_Tile hallway_brick_grid_window_tiles2(vec2 uv, int seed, ivec2 neighbour
 
 // draw_windows, of material_layer (materials/material_layer.glsl)
 void hallway_draw_windows(vec2 between, ivec2 home, vec2 between_dx, vec2 between_dy,
-    out hallway_Tile inner, out vec2 inner_local_dx, out vec2 inner_local_dy) {
-  float alpha;
+    out hallway_Tile inner, out float present, out vec2 inner_local_dx, out vec2 inner_local_dy) {
+  float alpha, present2;
   hallway_Tile inner2;
   vec2 inner_local_dx2, inner_local_dy2;
   hallway_layer_element_windows(hallway_brick_grid_window_tiles2(between, 31, home), between_dx,
-      between_dy, alpha, inner2, inner_local_dx2, inner_local_dy2);
+      between_dy, alpha, inner2, present2, inner_local_dx2, inner_local_dy2);
   inner = inner2;
+  present = present2;
   inner_local_dx = inner_local_dx2;
   inner_local_dy = inner_local_dy2;
 }
 
 // layer_element (layers/layer_element.glsl)
-void hallway_layer_element_runs(hallway_Tile tile, vec2 tile_local_dx, vec2 tile_local_dy,
-    out float alpha, out hallway_Tile inner, out vec2 inner_local_dx, out vec2 inner_local_dy) {
+void hallway_layer_element_runs(hallway_Tile tile, float chance, vec2 tile_local_dx,
+    vec2 tile_local_dy, out float alpha, out hallway_Tile inner, out vec2 inner_local_dx,
+    out vec2 inner_local_dy) {
   uint seed = hallway_hash(tile.seed);
   uint hash_value = hallway_hash(seed - 2u);
   vec2 pose = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
@@ -659,7 +664,7 @@ void hallway_layer_element_runs(hallway_Tile tile, vec2 tile_local_dx, vec2 tile
   uint hash_value3 = hallway_hash(seed - 3u);
   vec2 luck = vec2(float(hash_value3 & 65535u), float(hash_value3 >> 16u)) * 1.5258789e-5;
   float alpha2 = mix(0.5, 1.0, luck.x) * hallway_coverage_holes(q, into, q_dx, q_dy);
-  alpha = luck.y >= 0.9 ? 0.0 : alpha2;
+  alpha = chance < 1.0 && chance <= luck.y ? 0.0 : alpha2;
   inner = hallway_Tile(sum, size * vec2(1.0, ratio) * tile.size, seed, point, tile.up);
   inner_local_dx = vec2(test ? -q_dx.x : q_dx.x, q_dx.y);
   inner_local_dy = vec2(test ? -q_dy.x : q_dy.x, q_dy.y);
@@ -668,14 +673,15 @@ void hallway_layer_element_runs(hallway_Tile tile, vec2 tile_local_dx, vec2 tile
 // draw_runs, of layer (layers/layer.glsl)
 vec4 hallway_draw_runs(vec2 between, ivec2 which, vec2 between_dx, vec2 between_dy) {
   hallway_Tile inner2;
+  float present;
   vec2 inner_local_dx2, inner_local_dy2;
-  hallway_draw_windows(between, which, between_dx, between_dy, inner2, inner_local_dx2,
+  hallway_draw_windows(between, which, between_dx, between_dy, inner2, present, inner_local_dx2,
       inner_local_dy2);
   float alpha;
   hallway_Tile inner;
   vec2 inner_local_dx, inner_local_dy;
-  hallway_layer_element_runs(inner2, inner_local_dx2, inner_local_dy2, alpha, inner, inner_local_dx,
-      inner_local_dy);
+  hallway_layer_element_runs(inner2, present, inner_local_dx2, inner_local_dy2, alpha, inner,
+      inner_local_dx, inner_local_dy);
   vec4 color = vec4(0.0);
   if (alpha > 0.0) {
     color = textureGrad(soot, inner.local, inner_local_dx, inner_local_dy);
