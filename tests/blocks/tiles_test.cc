@@ -375,5 +375,26 @@ TEST(TileImageTest, MasksWholeTiles) {
   EXPECT_NEAR(drawn, wanted, 5 * std::sqrt(256 * 0.25));
 }
 
+// The share of a pixel that its middle's tile covers, the mean over all places of the pixel: an
+// estimate, off by up to an eighth.
+TEST(TileNearTest, IsAboutTheShareOfTheMiddlesTile) {
+  for (double size : {0.01, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0}) {
+    double share = 0;
+    constexpr int kSteps = 1000;
+    for (int i = 0; i < kSteps; ++i) {
+      const double middle = (i + 0.5) / kSteps;
+      const double low = std::max(middle - size / 2, 0.0), high = std::min(middle + size / 2, 1.0);
+      share += (high - low) / size / kSteps;
+    }
+    auto outputs = RunGraph(R"({"texgraph": 1, "nodes": {
+        "grid": {"block": "brick_grid", "in": {"rows": 4, "columns": 4, "row_offset": 0}},
+        "near": {"block": "tile_near", "in": {"tile": "grid"}}},
+      "outputs": {"height": "near"}})",
+                            {{0.3, 0.4}}, {size / 4, size / 4});
+    ASSERT_EQ(outputs.size(), 1u);
+    EXPECT_NEAR(outputs["height"].Float(0), share * share, 0.125) << size;
+  }
+}
+
 }  // namespace
 }  // namespace texgraph::blocks

@@ -49,14 +49,23 @@ Cell grid(Point p, ivec2 which, float cells, float jitter, uint seed) {
   return Cell(Point(p.at - corner, p.dx * cells, p.dy * cells), hash(uint(int(corner.x)) + row_bits));
 }
 
-// A disc with a hole, antialiased.
+// How far what varies within a unit square has gone to its mean, where a pixel is about as large.
+float far(vec2 pixel) { return clamp(2.0 * max(pixel.x, pixel.y) - 1.0, 0.0, 1.0); }
+
+// The share of a pixel that a single tile has.
+float near(Point local) {
+  vec2 part = 1.0 + 0.25 * (local.dx * local.dx + local.dy * local.dy);
+  return 1.0 / (part.x * part.y);
+}
+
+// A disc with a hole, antialiased; from afar, its area.
 float ring(Point p) {
   vec2 arm = p.at - 0.5;
   float radius = length(arm);
   vec2 change = vec2(dot(arm, p.dx), dot(arm, p.dy)) / max(radius, 1e-20);
   float pixel = max(length(change), 1e-7);
   vec2 discs = clamp((vec2(0.45, 0.12) - radius) / pixel + 0.5, 0.0, 1.0);
-  return discs.x - discs.y;
+  return mix(discs.x - discs.y, 3.14159265 * (0.45 * 0.45 - 0.12 * 0.12), far(footprint(p)));
 }
 
 // How much of the pixel the element covers.
@@ -79,7 +88,7 @@ vec4 paper(Cell cell, float least, float most, float opacity, vec3 low, vec3 hig
                   c * cell.local.dy + s * cell.local.dy.yx);
   float alpha = coverage(q, vec2(shrink));
   if (alpha <= 0.0) return vec4(0.0);
-  vec3 color = mix(low, high, random3(cell.seed, 4)) * mix(0.75, 1.0, clamp(q.at.y, 0.0, 1.0));
+  vec3 color = mix(low, high, mix(vec3(0.5), random3(cell.seed, 4), near(cell.local))) * mix(0.75, 1.0, clamp(q.at.y, 0.0, 1.0));
   alpha *= ring(q);
   if (opacity < 1.0) alpha *= mix(opacity, 1.0, random2(seed, -3).x);
   return vec4(color, alpha);
@@ -88,16 +97,19 @@ vec4 paper(Cell cell, float least, float most, float opacity, vec3 low, vec3 hig
 // The papers of a grid, later cells over earlier ones; they reach into the next cell, and no further.
 vec4 sheet(Point p, float cells, float jitter, uint seed, float least, float most, float opacity, vec3 low, vec3 high) {
   vec4 seen = vec4(0.0);
+  // Where a pixel holds whole cells, papers lie beside each other in it, not on each other.
+  vec2 tiles = footprint(p) * cells;
+  float on = clamp(2.0 - 2.0 * max(tiles.x, tiles.y), 0.0, 1.0);
   for (int y = 1; y >= -1; --y) {
     for (int x = 1; x >= -1; --x) {
       if (seen.a < 0.999) {
         vec4 next = paper(grid(p, ivec2(x, y), cells, jitter, seed), least, most, opacity, low, high);
-        next.a *= 1.0 - seen.a;
+        next.a *= 1.0 - seen.a * on;
         seen += vec4(next.rgb * next.a, next.a);
       }
     }
   }
-  return vec4(seen.rgb / max(seen.a, 1e-20), seen.a);
+  return vec4(seen.rgb / max(seen.a, 1e-20), min(seen.a, 1.0));
 }
 
 vec4 over(vec4 front, vec4 back) {

@@ -62,6 +62,15 @@ struct Point {
 
 vec2 footprint(Point p) { return sqrt(p.dx * p.dx + p.dy * p.dy); }
 
+// How far what varies within a unit square has gone to its mean, where a pixel is about as large.
+float far(vec2 pixel) { return clamp(2.0 * max(pixel.x, pixel.y) - 1.0, 0.0, 1.0); }
+
+// The share of a pixel that a single tile has.
+float near(Point local) {
+  vec2 part = 1.0 + 0.25 * (local.dx * local.dx + local.dy * local.dy);
+  return 1.0 / (part.x * part.y);
+}
+
 // Where p lies in an element around `center`, turned by `angle` and `shrink` times as small as a tile; `along` and `across` are
 // the columns of the tile's shape.
 Point element(Point p, vec2 center, float angle, float shrink, vec2 along, vec2 across) {
@@ -88,7 +97,8 @@ vec4 brick_face(vec2 p, vec2 pixel) {
   vec2 size = vec2(inset, inset - 0.06);
   vec2 box = max(pixel, 1e-7);
   vec2 share = clamp(min((0.5 * size - abs(p - 0.5)) / box + 0.5, size / box), 0.0, 1.0);
-  return vec4(vec3(mix(0.55, 1.35, mix(clouds, grains, 0.45))), share.x * share.y);
+  float alpha = mix(share.x * share.y, min(size.x * size.y, 1.0), far(pixel));
+  return vec4(vec3(mix(0.55, 1.35, mix(clouds, grains, 0.45))), alpha);
 }
 
 // A splash of lime: how much of it is there.
@@ -97,7 +107,8 @@ float splash(Point p) {
   float from_center = length(arm);
   vec2 change = vec2(dot(arm, p.dx), dot(arm, p.dy)) / max(from_center, 1e-20);
   float radius = mix(0.08, 0.5, noise(p.at * 7.0, footprint(p) * 7.0, 9u));
-  return clamp((radius - from_center) / (0.08 + length(change)) + 0.5, 0.0, 1.0);
+  float disc = clamp((radius - from_center) / (0.08 + length(change)) + 0.5, 0.0, 1.0);
+  return mix(disc, min(3.14159265 * radius * radius, 1.0), far(footprint(p)));
 }
 
 vec4 over(vec4 front, vec4 back) {
@@ -124,8 +135,10 @@ void main() {
   float size = mix(0.97, 1.02, turn.x);
   Point q = element(local, vec2(0.5), radians(mix(-1.5, 1.5, turn.y)), 1.0 / size, vec2(1.0), turned);
   vec4 face = brick_face(q.at, footprint(q));
-  face.rgb *= mix(vec3(0.75, 0.8, 0.8), vec3(1.4, 1.05, 1.0), random3(seed, 0)) * clay;
-  face.a *= coverage(q, vec2(1.0 / size), local);
+  vec3 luck3 = mix(vec3(0.5), random3(seed, 0), near(local));
+  face.rgb *= mix(vec3(0.75, 0.8, 0.8), vec3(1.4, 1.05, 1.0), luck3) * clay;
+  // From afar, the mean of size * size.
+  face.a *= mix(coverage(q, vec2(1.0 / size), local), 0.99023324, far(footprint(local)));
 
   // Lime on every second brick, in the largest square of the face's frame.
   uint lime_seed = hash(face_seed + 1u);
@@ -136,7 +149,10 @@ void main() {
   Point m = element(q, mix(vec2(0.1, 0.2), vec2(0.9, 0.8), random2(lime_seed, -1)), radians(360.0) * lime_turn.y,
                     lime_shrink, along, vec2(along.y, -along.x));
   vec2 luck = random2(lime_seed, -3);
-  float lime = luck.y >= 0.5 ? 0.0 : splash(m) * mix(0.2, 0.8, luck.x) * coverage(m, along * lime_shrink, q) * face.a;
+  float there = luck.y >= 0.5 ? 0.0 : mix(0.2, 0.8, luck.x) * coverage(m, along * lime_shrink, q);
+  // Half of the bricks, half opaque, and the mean of the splashes' area.
+  there = mix(there, 0.25 * min(0.39 / (along.x * along.y), 1.0), far(footprint(q)));
+  float lime = splash(m) * there * face.a;
 
   float sand = noise(uv * 220.0, sqrt(dx * dx + dy * dy) * 220.0, 8u);
   vec4 bed = vec4(vec3(mix(0.22, 0.4, sand)), 1.0);
