@@ -19,7 +19,7 @@ const int ALPHA_PREMULTIPLIED = 1;
 /// pitch: how far apart the grid's columns and rows are, in texture space; 0 if the grid cannot
 /// show its neighbours.
 /// smallest: the least width and height of a tile of the grid; 0 in a layer's frame.
-/// largest, drift, tilt: what the frame can be in any tile of the grid, whatever is drawn at random:
+/// largest, drift, tilt: what the frame can be in any tile of the grid, however the dice fall:
 /// its greatest width and height, the greatest distance of its middle from the middle of the grid's
 /// tile, both in texture space, and the greatest |cos| and |sin| of its angle there. A grid whose
 /// tiles are not all alike gives as drift how much nearer than a pitch its tiles can be. From these

@@ -4,8 +4,8 @@
 /// evenly between. Red, green and blue stay as they are.
 /// This keys a colour that is already sampled, and that makes fringes: at the rim of what is shown
 /// the filter has mixed in the background, so the rim has some of the key's colour, and far away,
-/// where a texel holds both, it is keyed whole or not at all. Where the colour comes straight from a
-/// picture, give its texture a "key" in the graph: that keys the picture itself, before its mip
+/// where a texel holds both, it is keyed whole or not at all. Where the colour comes straight from
+/// a picture, give its texture a "key" in the graph: that keys the picture itself, before its mip
 /// levels are made. There, distances are those of the picture's own numbers.
 /// Distances are those of linear light, where dark colours lie close together: in one component,
 /// the sRGB values 0 and 25 of 255 are 0.01 apart, 230 and 255 are 0.2 apart.

@@ -47,7 +47,7 @@ const int FLIP_BOTH = 3;
 ///   sticks out of its tile is cut off; 1, at the 8 tiles around; 2, at 24; 3, at 48. Without a
 ///   value it is as far as the ranges need @default 0 @range 0 3
 ///   @computed layer_neighbours smaller scales, or positions nearer to the middle, reach less far
-/// @param fade_size the layer goes to `far` where the shorter side of its largest elements has fewer
+/// @param fade_size the layer goes to `far` where the largest elements' shorter side has fewer
 ///   pixels: it is all there from this size on, and gone at half of it; 0 never @default 0
 ///   @range 0 4096 @unit pixels
 /// @param far what the layer is from far away, straight alpha: its mean over a tile, with the share
@@ -100,7 +100,7 @@ void layer(const int fit, const int turn, const int flip, const int neighbours, 
                inner_rotation, inner_scale, present);
   if (neighbours > 0) {
     // From the last to the first, each under what is there already, until nothing shows through.
-    // Where a pixel holds whole tiles their elements lie beside each other in it, not on each other.
+    // Where a pixel holds whole tiles their elements lie beside each other, not on each other.
     vec2 tiles = footprint(tile(ivec2(0)).local);
     float on = clamp(2.0 - 2.0 * max(tiles.x, tiles.y), 0.0, 1.0);
     color = vec4(0.0);

@@ -16,8 +16,9 @@ float widest(float x, float y, vec2 rotation) {
 }
 
 /// How many tiles around its own the elements of a layer can reach, whatever is drawn at random.
-/// `layer` computes it when the shader is made and looks at no more tiles than these. 0 for tiles of
-/// a grid that cannot show its neighbours, and for images that cover their tile and are cut there.
+/// `layer` computes it when the shader is made and looks at no more tiles than these; 0 for tiles
+/// of a grid that cannot show its neighbours, and for images that cover their tile and are cut
+/// there.
 /// @param tile the layer's tile
 /// @param position_min as of the layer @default vec2(0.5)
 /// @param position_max as of the layer @default vec2(0.5)

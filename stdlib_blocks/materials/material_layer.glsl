@@ -122,7 +122,7 @@ void material_layer(const int fit, const int turn, const int flip, const int nei
                  inner_rotation, inner_scale, present);
   if (neighbours > 0) {
     // From the last to the first, each under what is there already, until nothing shows through.
-    // Where a pixel holds whole tiles their elements lie beside each other in it, not on each other.
+    // Where a pixel holds whole tiles their elements lie beside each other, not on each other.
     vec2 tiles = footprint(tile(ivec2(0)).local);
     float on = clamp(2.0 - 2.0 * max(tiles.x, tiles.y), 0.0, 1.0);
     Material total = Material(vec4(0.0), vec3(0.0), 0.0, 0.0, 0.0);

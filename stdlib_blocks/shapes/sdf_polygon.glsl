@@ -25,7 +25,7 @@ int crossing(vec2 a, vec2 b) {
 /// @param uv coordinate @default uv
 /// @param points the corners, one after the other; the last is joined to the first @length 3 1024
 ///   @default vec2[](vec2(0.1, 0.1), vec2(0.5, 0.3), vec2(0.9, 0.1), vec2(0.5, 0.9))
-/// @param rule what is inside where the outline crosses itself: with `even_odd` every crossing is an
+/// @param rule what is inside where the outline crosses itself: with `even_odd` a crossing is an
 ///   edge of the shape; with `non_zero` all that the outline turns around belongs to it, but a side
 ///   that lies in the shape keeps its distance of 0 @default RULE_EVEN_ODD
 float sdf_polygon(vec2 uv, const vec2 points[], const int rule) {

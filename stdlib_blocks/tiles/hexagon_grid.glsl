@@ -10,7 +10,7 @@
 /// @param seed another seed gives other random bits @default 0
 /// @param toroidal whether the hexagons repeat with each unit of the coordinate, for a texture
 ///   without a border; an odd number of rows becomes the next even one then @default false
-/// @param neighbour the hexagon that many columns and rows further is given, instead of the one that
+/// @param neighbour the hexagon that many columns and rows further is given, not the one that
 ///   the point is in; `layer` asks for it @default neighbour
 /// @param tile the hexagon
 /// @param edge distance to the border of the hexagon, in texture space

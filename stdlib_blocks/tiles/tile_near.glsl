@@ -5,8 +5,8 @@
 /// many. Mixed with its mean by this number it doesn't: near by it is what it was, far away the
 /// mean. `tile_random_color` and `tile_random_hsv` do that by themselves.
 /// It estimates the share of a pixel that its middle's tile covers, for pixels as large as the
-/// footprint that lie anywhere: 1 / (1 + f^2 / 4) in each direction, for f tiles a pixel; it is off by
-/// up to an eighth.
+/// footprint that lie anywhere: 1 / (1 + f^2 / 4) in each direction, for f tiles a pixel, and
+/// is off by up to an eighth.
 /// @param tile the tile
 float tile_near(Tile tile) {
   vec2 right = footprint_x(tile.local);
