@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/texgraph/option_values.h"
 
+#include "compiler/base/text.h"
+
 namespace texgraph::cli {
 
 void Usage(Diagnostics& diagnostics, std::string message) {
@@ -16,11 +18,10 @@ bool ReadPair(std::string_view text, double& first, double& second) {
 
 uint32_t ReadWord(std::string_view option, std::string_view seen,
                   const std::vector<std::string_view>& words, Diagnostics& diagnostics) {
-  std::string all;
   for (uint32_t i = 0; i < words.size(); ++i) {
     if (words[i] == seen) return i;
-    all += fmt::format("{}{}", i == 0 ? "" : i + 1 == words.size() ? " or " : ", ", words[i]);
   }
+  const std::string all = Listed(words, " or ", [](std::string_view word) { return word; });
   Usage(diagnostics, fmt::format("{} takes {}, got '{}'{}", option, all, Printable(seen),
                                  DidYouMean(seen, words)));
   return 0;

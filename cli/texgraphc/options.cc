@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "cli/texgraphc/help.h"
+#include "compiler/base/text.h"
 
 namespace texgraph::cli {
 namespace {
@@ -117,15 +118,14 @@ template <class T, size_t N>
 bool ReadWord(std::string_view option, std::string_view seen, const std::array<Word<T>, N>& words,
               T& value, Diagnostics& diagnostics) {
   std::vector<std::string_view> names;
-  std::string all;
-  for (size_t i = 0; i < N; ++i) {
-    if (words[i].word == seen) {
-      value = words[i].value;
+  for (const Word<T>& word : words) {
+    if (word.word == seen) {
+      value = word.value;
       return true;
     }
-    names.push_back(words[i].word);
-    all += fmt::format("{}{}", i == 0 ? "" : i + 1 == N ? " or " : ", ", words[i].word);
+    names.push_back(word.word);
   }
+  const std::string all = Listed(names, " or ", [](std::string_view name) { return name; });
   Usage(diagnostics, fmt::format("{} takes {}, got '{}'{}", option, all, Printable(seen),
                                  DidYouMean(seen, names)));
   return false;

@@ -4,14 +4,15 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <string>
 #include <string_view>
 
 namespace texgraph {
 
-// The shortest decimal text that reads back as exactly `value`, always with a '.' or an exponent, so
-// that GLSL and JSON take it as a float: "1.0", "0.1", "1e-45", "-0.0". Whole numbers below 1e9 are
-// written out: "16777216.0". `value` must be finite.
+// The shortest decimal text that reads back as exactly `value`, always with a '.' or an exponent,
+// so that GLSL and JSON take it as a float: "1.0", "0.1", "1e-45", "-0.0". Whole numbers below 1e9
+// are written out: "16777216.0". `value` must be finite.
 std::string FloatText(float value);
 // The same for a double.
 std::string DoubleText(double value);
@@ -29,6 +30,24 @@ struct CodePoint {
   uint32_t length;
 };
 CodePoint DecodeUtf8(std::string_view text, size_t at);
+
+// "a, b or c": the texts of some things, with `last` (" or ", " and ") before the last one.
+template <class Things, class TextOf>
+std::string Listed(const Things& things, std::string_view last, TextOf text_of) {
+  std::string list;
+  size_t left = std::size(things);
+  for (const auto& thing : things) {
+    list += list.empty() ? "" : left == 1 ? last : ", ";
+    list += text_of(thing);
+    --left;
+  }
+  return list;
+}
+// "'a', 'b' or 'c'"
+template <class Words>
+std::string ListedQuoted(const Words& words, std::string_view last) {
+  return Listed(words, last, [](std::string_view word) { return "'" + std::string(word) + "'"; });
+}
 
 // `text` as a JSON string with its quotes; bytes that are not valid UTF-8 become U+FFFD.
 std::string JsonQuoted(std::string_view text);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The lines that begin with "///": the block's texts, and what "@" tags say of its ports.
 #include <algorithm>
-#include <bit>
 #include <charconv>
 #include <set>
 #include <span>
@@ -446,12 +445,6 @@ class DocChecker {
                            DidYouMean(value.text, known));
   }
 
-  static double NumberOf(TypeId type, uint32_t word) {
-    if (ir::IsFloat(type)) return std::bit_cast<float>(word);
-    if (ir::ScalarOf(type) == ir::Scalar::kInt) return static_cast<int32_t>(word);
-    return word;
-  }
-
   void CheckDefaultRange(const Port& port, const Piece& value) {
     TypeId type = program_.module.constant(port.default_value).type;
     if (port.max_length > 0) {
@@ -465,7 +458,7 @@ class DocChecker {
     if (!ir::IsVector(type) || ir::IsBool(type)) return;
     bool known_word = port.words.empty();
     for (uint32_t word : program_.module.Words(port.default_value)) {
-      double number = NumberOf(type, word);
+      double number = ir::NumberOf(type, word);
       // The range is of doubles, the default of floats: 0.1 is in [0.1, 1].
       auto nearest = [&](double limit) {
         return ir::IsFloat(type) ? static_cast<double>(static_cast<float>(limit)) : limit;
@@ -484,10 +477,7 @@ class DocChecker {
   static bool IsOrder(std::string_view tag) { return tag == "@ordered" || tag == "@not_below"; }
 
   // Of a field, the type of its results.
-  TypeId ValueType(const Port& port) const {
-    const ir::Types& types = program_.module.types;
-    return port.kind == PortKind::kField ? types[port.type].elements[0] : port.type;
-  }
+  TypeId ValueType(const Port& port) const { return program_.module.types.ValueOf(port.type); }
 
   bool HoldsNumbers(const Port& port) const {
     TypeId type = ValueType(port);
@@ -536,7 +526,8 @@ class DocChecker {
   void CheckDefaultOrder(const Port& port, std::span<const uint32_t> least,
                          std::span<const uint32_t> most, const Setting& setting) {
     for (size_t i = 0; i < least.size(); ++i) {
-      if (NumberOf(ValueType(port), most[i]) >= NumberOf(ValueType(port), least[i])) continue;
+      if (ir::NumberOf(ValueType(port), most[i]) >= ir::NumberOf(ValueType(port), least[i]))
+        continue;
       return Error(setting.tag.range, "the defaults break '" + std::string(setting.tag.text) + "'");
     }
   }

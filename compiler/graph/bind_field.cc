@@ -12,8 +12,6 @@ namespace {
 
 using Kind = Symbol::Kind;
 
-ir::TypeId ResultType(const ir::Types& types, ir::TypeId field) { return types[field].elements[0]; }
-
 // The types of the prototype's parameters.
 std::span<const ir::TypeId> ParameterTypes(const ir::Types& types, ir::TypeId field) {
   return std::span(types[field].elements).subspan(1);
@@ -24,7 +22,7 @@ std::span<const ir::TypeId> ParameterTypes(const ir::Types& types, ir::TypeId fi
 std::optional<BoundPort> SubgraphChecker::BindField(const Target& target, const Argument& argument,
                                                     const Resolved& resolved) {
   const blocks::Port& port = target.port;
-  ir::TypeId result = ResultType(check_.module.types, port.type);
+  ir::TypeId result = check_.module.types.ValueOf(port.type);
   if (resolved.kind == Resolved::Kind::kWrong) {
     ReportReference(argument, resolved);
     return std::nullopt;
@@ -84,7 +82,7 @@ std::optional<BoundPort> SubgraphChecker::BindFieldOfTexture(const Target& targe
                     types.Text(coordinate))));
     return std::nullopt;
   }
-  if (!ConversionCost(ir::kVec4, ResultType(types, type))) {
+  if (!ConversionCost(ir::kVec4, types.ValueOf(type))) {
     ReportType(target, argument, ir::kVec4);
     return std::nullopt;
   }
@@ -158,7 +156,7 @@ std::optional<BoundPort> SubgraphChecker::BindFieldOfFunction(const Target& targ
     return std::nullopt;
   }
   if (!resolved.type.valid()) return std::nullopt;  // the reason was reported
-  if (!ConversionCost(resolved.type, ResultType(types, target.port.type))) {
+  if (!ConversionCost(resolved.type, types.ValueOf(target.port.type))) {
     ReportType(target, argument, resolved.type);
     return std::nullopt;
   }
@@ -170,7 +168,7 @@ std::optional<BoundPort> SubgraphChecker::BindFieldOfFunction(const Target& targ
 std::optional<int> SubgraphChecker::FieldCost(const blocks::Port& port, const Argument& argument,
                                               const Resolved& resolved) const {
   const ir::Types& types = check_.module.types;
-  ir::TypeId result = ResultType(types, port.type);
+  ir::TypeId result = types.ValueOf(port.type);
   if (resolved.kind == Resolved::Kind::kLiteral) return LiteralCost(argument, result, types);
   if (resolved.kind == Resolved::Kind::kWrong) return 0;  // reported when it is bound
   if (resolved.symbol.kind == Kind::kTexture) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "compiler/base/text.h"
 #include "compiler/graph/conversion.h"
 #include "compiler/graph/subgraph_checker.h"
 
@@ -20,12 +21,8 @@ ValueLimits LimitsOf(const blocks::Port& port) { return {port.minimum, port.maxi
 
 // "'mix', 'add' or 'screen'"
 std::string WordList(const blocks::Port& port) {
-  std::string text;
-  for (size_t i = 0; i < port.words.size(); ++i) {
-    const char* separator = i == 0 ? "" : i + 1 == port.words.size() ? " or " : ", ";
-    text += fmt::format("{}'{}'", separator, port.words[i].word);
-  }
-  return text;
+  return Listed(port.words, " or ",
+                [](const blocks::EnumWord& word) { return "'" + word.word + "'"; });
 }
 
 }  // namespace
@@ -251,8 +248,7 @@ std::optional<BoundPort> SubgraphChecker::BindDefault(const Target& target, Sour
 
 void SubgraphChecker::ReportType(const Target& target, const Argument& argument, ir::TypeId got) {
   const ir::Types& types = check_.module.types;
-  ir::TypeId takes = target.port.type;
-  if (types.Kind(takes) == ir::TypeKind::kField) takes = types[takes].elements[0];
+  const ir::TypeId takes = types.ValueOf(target.port.type);
   target.place.AddNote(check_.diagnostics.Error(
       DiagnosticKind::kPortType, argument.range,
       fmt::format("{} takes {}, got {}{}", target.place.Text(), types.Text(target.port.type),

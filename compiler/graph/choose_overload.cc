@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "compiler/base/text.h"
 #include "compiler/graph/conversion.h"
 #include "compiler/graph/subgraph_checker.h"
 
@@ -42,13 +43,8 @@ bool IsComplete(const Overload& overload, const Node& node) {
   });
 }
 
-std::string Listed(const std::vector<std::string>& words, std::string_view last) {
-  std::string text;
-  for (size_t i = 0; i < words.size(); ++i) {
-    text += i == 0 ? "" : i + 1 == words.size() ? last : ", ";
-    text += words[i];
-  }
-  return text;
+std::string ListOfTypes(const std::vector<std::string>& types, std::string_view last) {
+  return Listed(types, last, [](std::string_view type) { return type; });
 }
 
 // "; it has 'a', 'b' and 'c'", if there are not too many to read.
@@ -56,12 +52,7 @@ std::string ListOfInputs(const std::vector<std::string_view>& names) {
   constexpr size_t kMostShown = 12;
   if (names.empty()) return "; it has none";
   if (names.size() > kMostShown) return {};
-  std::string text = "; it has ";
-  for (size_t i = 0; i < names.size(); ++i) {
-    const char* separator = i == 0 ? "" : i + 1 == names.size() ? " and " : ", ";
-    text += fmt::format("{}'{}'", separator, names[i]);
-  }
-  return text;
+  return "; it has " + ListedQuoted(names, " and ");
 }
 
 }  // namespace
@@ -252,12 +243,12 @@ bool SubgraphChecker::ReportPortThatNeverFits(uint32_t index,
     }
     ir::TypeId got = arguments[i].type;
     if (!got.valid()) {
-      ReportNoValue(target, input.argument, arguments[i], Listed(types, " or "));
+      ReportNoValue(target, input.argument, arguments[i], ListOfTypes(types, " or "));
       continue;
     }
     target.place.AddNote(check_.diagnostics.Error(
         DiagnosticKind::kPortType, input.argument.range,
-        fmt::format("{} takes {}, got {}", target.place.Text(), Listed(types, " or "),
+        fmt::format("{} takes {}, got {}", target.place.Text(), ListOfTypes(types, " or "),
                     check_.module.types.Text(got))));
   }
   return found;
@@ -282,9 +273,10 @@ void SubgraphChecker::ReportSignatures(uint32_t index, const std::vector<Resolve
       }
     }
   }
-  Diagnostic& error = check_.diagnostics.Error(
-      DiagnosticKind::kNoOverload, node.block_range,
-      fmt::format("no overload of {} takes {}{}", BlockText(index), Listed(given, ", "), hint));
+  Diagnostic& error =
+      check_.diagnostics.Error(DiagnosticKind::kNoOverload, node.block_range,
+                               fmt::format("no overload of {} takes {}{}", BlockText(index),
+                                           ListOfTypes(given, ", "), hint));
   size_t shown = 0;
   for (const Overload& overload : nodes_[index].candidates) {
     if (++shown > kMaxSignatures) break;
@@ -293,7 +285,7 @@ void SubgraphChecker::ReportSignatures(uint32_t index, const std::vector<Resolve
       ports.push_back(fmt::format("{}: {}", port.name, types.Text(port.type)));
     }
     SourceRange range = overload.inputs.empty() ? SourceRange{} : overload.inputs[0].range;
-    error.AddNote(range, fmt::format("it takes {}", Listed(ports, ", ")));
+    error.AddNote(range, fmt::format("it takes {}", ListOfTypes(ports, ", ")));
   }
 }
 

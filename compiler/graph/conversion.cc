@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "compiler/base/text.h"
+
 namespace texgraph::graph {
 namespace {
 
@@ -62,12 +64,7 @@ std::string ConvertingBlocks(ir::TypeId from, ir::TypeId to, const ir::Types& ty
   }
   if (found.empty()) return {};
   if (found.size() == 1) return fmt::format("; the block '{}' converts", found[0]);
-  std::string text = "; the blocks ";
-  for (size_t i = 0; i < found.size(); ++i) {
-    const char* separator = i == 0 ? "" : i + 1 == found.size() ? " and " : ", ";
-    text += fmt::format("{}'{}'", separator, found[i]);
-  }
-  return text + " convert";
+  return "; the blocks " + ListedQuoted(found, " and ") + " convert";
 }
 
 }  // namespace texgraph::graph

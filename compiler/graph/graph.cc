@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "compiler/base/text.h"
 #include "compiler/graph/argument.h"
 #include "compiler/graph/graph_reader.h"
 #include "compiler/graph/names.h"
@@ -74,12 +75,9 @@ void GraphReader::BadValue(const DocumentNode& node, std::string message) {
 
 void GraphReader::ReportWord(const DocumentNode& node, Owner owner,
                              const std::vector<std::string_view>& words) {
-  std::string list;
-  for (size_t i = 0; i < words.size(); ++i) {
-    list += fmt::format("{}'{}'", i == 0 ? "" : i + 1 == words.size() ? " or " : ", ", words[i]);
-  }
-  BadValue(node, fmt::format("'{}' of {} is {}, not '{}'{}", node.key, owner.Text(), list,
-                             Printable(node.text), DidYouMean(node.text, words)));
+  BadValue(node, fmt::format("'{}' of {} is {}, not '{}'{}", node.key, owner.Text(),
+                             ListedQuoted(words, " or "), Printable(node.text),
+                             DidYouMean(node.text, words)));
 }
 
 void GraphReader::ReadVersion(const DocumentNode& root, const DocumentNode* version) {

@@ -55,20 +55,6 @@ Encoding Encode(double number, bool is_integer, ir::Scalar scalar, uint32_t& wor
   return value == 0 && number != 0 ? Encoding::kUnderflow : Encoding::kFits;
 }
 
-double Decode(uint32_t word, ir::Scalar scalar) {
-  switch (scalar) {
-    case ir::Scalar::kBool:
-      return word;
-    case ir::Scalar::kInt:
-      return static_cast<int32_t>(word);
-    case ir::Scalar::kUint:
-      return word;
-    case ir::Scalar::kFloat:
-      break;
-  }
-  return std::bit_cast<float>(word);
-}
-
 // Whether there is a number for each word of the type. Vectors in an array stand in rows of their
 // own.
 bool HasNumbers(const Argument& argument, ir::TypeId type, const ir::Types& types) {
@@ -281,7 +267,7 @@ bool CheckLimits(ir::ConstId constant, const ValueLimits& limits, SourceRange ra
     return as_float ? static_cast<double>(static_cast<float>(limit)) : limit;
   };
   for (uint32_t word : module.Words(constant)) {
-    double value = Decode(word, *scalar);
+    double value = ir::NumberOf(*scalar, word);
     bool below = limits.minimum && value < rounded(*limits.minimum);
     bool above = limits.maximum && value > rounded(*limits.maximum);
     if (!below && !above) continue;

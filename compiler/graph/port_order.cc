@@ -15,14 +15,7 @@ namespace {
 std::optional<size_t> FirstBelow(ir::TypeId type, std::span<const uint32_t> least,
                                  std::span<const uint32_t> most) {
   for (size_t i = 0; i < least.size(); ++i) {
-    const uint32_t a = least[i], b = most[i];
-    bool below = b < a;
-    if (ir::ScalarOf(type) == ir::Scalar::kInt) {
-      below = static_cast<int32_t>(b) < static_cast<int32_t>(a);
-    } else if (ir::IsFloat(type)) {
-      below = std::bit_cast<float>(b) < std::bit_cast<float>(a);
-    }
-    if (below) return i;
+    if (ir::NumberOf(type, most[i]) < ir::NumberOf(type, least[i])) return i;
   }
   return std::nullopt;
 }
@@ -35,9 +28,9 @@ ir::ConstId KnownValue(const BoundPort& bound) {
 }
 
 std::string WordText(ir::TypeId type, uint32_t word) {
+  // The shortest text of a float, not of the double that it is.
   if (ir::IsFloat(type)) return fmt::format("{}", std::bit_cast<float>(word));
-  if (ir::ScalarOf(type) == ir::Scalar::kInt) return fmt::format("{}", static_cast<int32_t>(word));
-  return fmt::format("{}", word);
+  return fmt::format("{}", ir::NumberOf(type, word));
 }
 
 }  // namespace

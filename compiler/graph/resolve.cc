@@ -14,12 +14,8 @@ namespace {
 using Kind = Symbol::Kind;
 
 std::string ListOfPorts(std::string_view node, const std::vector<blocks::Port>& ports) {
-  std::string text;
-  for (size_t i = 0; i < ports.size(); ++i) {
-    const char* separator = i == 0 ? "" : i + 1 == ports.size() ? " or " : ", ";
-    text += fmt::format("{}'{}.{}'", separator, node, ports[i].name);
-  }
-  return text;
+  return Listed(ports, " or ",
+                [&](const blocks::Port& port) { return fmt::format("'{}.{}'", node, port.name); });
 }
 
 bool AreComponents(std::string_view text) {

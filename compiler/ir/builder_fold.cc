@@ -16,10 +16,9 @@ constexpr size_t kMaxFoldedWords = 64;
 
 ValueId Builder::ConstElement(ValueId aggregate, uint32_t index) {
   TypeId type = TypeOf(aggregate);
-  uint32_t first = 0;
-  for (uint32_t i = 0; i < index; ++i) first += module_.types.Words(module_.types.ElementType(type, i));
   TypeId element = module_.types.ElementType(type, index);
-  std::span<const uint32_t> words = ConstWords(aggregate).subspan(first, module_.types.Words(element));
+  std::span<const uint32_t> words =
+      ConstWords(aggregate).subspan(module_.types.ElementOffset(type, index), module_.types.Words(element));
   return Const(element, std::vector<uint32_t>(words.begin(), words.end()));
 }
 

@@ -19,18 +19,6 @@ void Select(const OpArguments& arguments, uint32_t words, uint32_t* r) {
   }
 }
 
-// The first word of an element: columns of a matrix and elements of an array are of one size,
-// members of a struct are not.
-uint32_t ElementOffset(const Types& types, TypeId aggregate, uint32_t index) {
-  TypeKind kind = types.Kind(aggregate);
-  if (kind != TypeKind::kStruct && kind != TypeKind::kTuple) {
-    return index * types.Words(types.ElementType(aggregate, 0));
-  }
-  uint32_t offset = 0;
-  for (uint32_t i = 0; i < index; ++i) offset += types.Words(types.ElementType(aggregate, i));
-  return offset;
-}
-
 // The index is clamped to the elements that there are.
 void Index(const Types& types, const OpArguments& arguments, uint32_t words, uint32_t* r) {
   const uint32_t lanes = arguments.lanes;
@@ -67,7 +55,7 @@ bool Structure(const Types& types, const OpArguments& arguments, uint32_t* r) {
       }
       return true;
     case Op::kExtract: {
-      uint32_t offset = ElementOffset(types, arguments.operand_types[0], arguments.aux);
+      uint32_t offset = types.ElementOffset(arguments.operand_types[0], arguments.aux);
       std::copy_n(arguments.operands[0] + offset * lanes, words * lanes, r);
       return true;
     }

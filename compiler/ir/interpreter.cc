@@ -142,10 +142,8 @@ void Interpreter::RunInst(Frame& frame, ValueId v, uint64_t active) {
     case Op::kExtract: {
       // A part of the whole, where it lies.
       const ValueId whole = frame.f.Operands(inst)[0];
-      const TypeId type = frame.f[whole].type;
-      size_t offset = 0;
-      for (uint32_t i = 0; i < inst.aux; ++i) offset += SizeOf(module_.types.ElementType(type, i));
-      frame.slots[v.index].words = Words(frame, whole) + offset;
+      const size_t offset = module_.types.ElementOffset(frame.f[whole].type, inst.aux);
+      frame.slots[v.index].words = Words(frame, whole) + offset * lanes_;
       return;
     }
     default:

@@ -37,10 +37,7 @@ class KnownEvaluator {
 
   uint32_t Words(TypeId type) const {
     // What is known of a field is known of its results.
-    if (module_.types.Kind(type) == TypeKind::kField) {
-      return module_.types.Words(module_.types[type].elements[0]);
-    }
-    return module_.types.Words(type);
+    return module_.types.Words(module_.types.ValueOf(type));
   }
   std::vector<KnownWords> NothingOf(const Function& f, std::span<const ValueId> values) const;
   const KnownWords& Get(Frame& frame, ValueId v);
@@ -162,8 +159,7 @@ KnownWords KnownEvaluator::Extract(Frame& frame, const Inst& inst) {
     return inst.aux < parts.size() ? parts[inst.aux] : KnownWords::Nothing(Words(inst.type));
   }
   const KnownWords& from = Get(frame, whole);
-  uint32_t first = 0;
-  for (uint32_t i = 0; i < inst.aux; ++i) first += Words(module_.types.ElementType(type, i));
+  const uint32_t first = module_.types.ElementOffset(type, inst.aux);
   KnownWords part;
   const uint32_t count = Words(inst.type);
   part.words.assign(from.words.begin() + first, from.words.begin() + first + count);

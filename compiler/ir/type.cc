@@ -138,6 +138,17 @@ TypeId Types::ElementType(TypeId aggregate, uint32_t index) const {
   }
 }
 
+// Columns of a matrix and elements of an array are of one size, members of a struct are not.
+uint32_t Types::ElementOffset(TypeId aggregate, uint32_t index) const {
+  const TypeKind kind = Kind(aggregate);
+  if (kind != TypeKind::kStruct && kind != TypeKind::kTuple) {
+    return index * Words(ElementType(aggregate, 0));
+  }
+  uint32_t offset = 0;
+  for (uint32_t i = 0; i < index; ++i) offset += Words(ElementType(aggregate, i));
+  return offset;
+}
+
 uint32_t Types::ElementCount(TypeId aggregate) const {
   const Type& type = types_[aggregate.index];
   switch (type.kind) {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <map>
 #include <span>
@@ -49,6 +50,14 @@ constexpr bool IsInteger(TypeId t) { return t.index >= 5 && t.index <= 12; }  //
 constexpr bool IsBool(TypeId t) { return t.index >= 1 && t.index <= 4; }
 constexpr uint32_t MatrixSize(TypeId t) { return t.index - 15; }  // mat3 -> 3
 constexpr TypeId ColumnType(TypeId t) { return Vector(Scalar::kFloat, MatrixSize(t)); }
+// What a word of a value is: a bool is 0 or 1.
+constexpr double NumberOf(Scalar s, uint32_t word) {
+  if (s == Scalar::kFloat) return std::bit_cast<float>(word);
+  return s == Scalar::kInt ? double(static_cast<int32_t>(word)) : double(word);
+}
+constexpr double NumberOf(TypeId t, uint32_t word) {
+  return NumberOf(IsFloat(t) ? Scalar::kFloat : ScalarOf(t), word);
+}
 // The size of a sampler's coordinate: 2 for sampler2D, 3 for the others.
 constexpr uint32_t CoordinateWidth(TypeId t) { return t == kSampler2D ? 2 : 3; }
 
@@ -86,6 +95,12 @@ class Types {
 
   TypeId ElementType(TypeId aggregate, uint32_t index) const;  // struct, tuple, array, matrix column, vector component
   uint32_t ElementCount(TypeId aggregate) const;
+  // The first word of element `index` in an aggregate's words.
+  uint32_t ElementOffset(TypeId aggregate, uint32_t index) const;
+  // What a field gives; any other type itself.
+  TypeId ValueOf(TypeId type) const {
+    return Kind(type) == TypeKind::kField ? types_[type.index].elements[0] : type;
+  }
   // The number of 32-bit words of a value: vec3 3, mat2 4, structs and arrays the sum; samplers 1, fields 0.
   uint32_t Words(TypeId id) const { return words_[id.index]; }
   // "vec3", "float[4]", "(vec4, float)", "field(vec2) -> vec4".

@@ -270,7 +270,7 @@ ValueId Scope::Field(const BoundPort& bound, const blocks::Port& port) {
     captured.push_back(Builtin(kNeighbour));
     ValueId here = Output(*field->here);
     if (program_.failed) return ValueId();
-    captured.push_back(Convert(here, program_.module.types[bound.type].elements[0]));
+    captured.push_back(Convert(here, program_.module.types.ValueOf(bound.type)));
   }
   return builder_.Emit(ir::Op::kFieldRef, bound.type, captured, field->id.index);
 }
@@ -320,7 +320,7 @@ ValueId Scope::FieldBody(const BoundPort& bound, std::span<const ValueId> parame
   } else {
     value = builder_.Const(std::get<graph::FieldOfConstant>(bound.source).value);
   }
-  return Convert(value, program_.module.types[bound.type].elements[0]);
+  return Convert(value, program_.module.types.ValueOf(bound.type));
 }
 
 // The nodes whose values `node` takes directly, and those that its fields capture.

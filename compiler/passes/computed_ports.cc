@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "compiler/base/text.h"
+
 namespace texgraph::passes {
 namespace {
 
@@ -24,12 +26,7 @@ const graph::NodeOutput* SourceNode(const BoundPort& bound) {
 }
 
 std::string NameList(const std::vector<const Port*>& ports) {
-  std::string text;
-  for (size_t i = 0; i < ports.size(); ++i) {
-    const char* separator = i == 0 ? "" : i + 1 == ports.size() ? " and " : ", ";
-    text += fmt::format("{}'{}'", separator, ports[i]->name);
-  }
-  return text;
+  return Listed(ports, " and ", [](const Port* port) { return "'" + port->name + "'"; });
 }
 
 }  // namespace
@@ -44,8 +41,7 @@ ConstId ComputedPorts::TemplateValue(const CheckedSubgraph& subgraph, uint32_t n
 
 KnownWords ComputedPorts::KnownPort(const CheckedSubgraph& subgraph, const BoundPort& bound) {
   const ir::Types& types = module_.types;
-  const bool is_field = types.Kind(bound.type) == ir::TypeKind::kField;
-  const ir::TypeId type = is_field ? types[bound.type].elements[0] : bound.type;
+  const ir::TypeId type = types.ValueOf(bound.type);
   if (auto* constant = std::get_if<graph::ConstantValue>(&bound.source)) {
     return KnownWords::All(module_.Words(constant->value));
   }

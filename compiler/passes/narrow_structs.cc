@@ -65,12 +65,16 @@ void Narrower::FindReached() {
   }
 }
 
+// Those that there are values of; the library declares others.
 void Narrower::FindStructs() {
-  for (uint32_t i = ir::kBasicTypeCount; i < module_.types.size(); ++i) {
-    const ir::Type& type = module_.types[TypeId(i)];
-    if (type.kind != TypeKind::kStruct) continue;
-    structs_.push_back(TypeId(i));
-    read_[i].resize(type.fields.size());
+  for (size_t f = 0; f < module_.functions.size(); ++f) {
+    if (!reached_[f]) continue;
+    for (const ir::Inst& inst : module_.functions[f].insts) {
+      const ir::Type& type = module_.types[inst.type];
+      if (type.kind != TypeKind::kStruct || !read_[inst.type.index].empty()) continue;
+      structs_.push_back(inst.type);
+      read_[inst.type.index].resize(type.fields.size());
+    }
   }
 }
 
@@ -212,9 +216,9 @@ bool Narrower::Rewrite(ir::Function& function) {
 }
 
 bool Narrower::Run(std::vector<bool>& changed) {
+  FindReached();
   FindStructs();
   if (structs_.empty()) return false;
-  FindReached();
   FindAllReads();
   KeepOneMember();
   FindAllReads();

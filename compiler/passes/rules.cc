@@ -11,7 +11,6 @@ namespace texgraph::passes {
 namespace {
 
 using ir::Builder;
-using ir::ConstId;
 using ir::Op;
 using ir::TypeId;
 using ir::ValueId;
@@ -217,16 +216,6 @@ class OpRules {
 
 // --- What calls give ---
 
-// The words of component or member `index` of a constant.
-std::span<const uint32_t> PartOf(const ir::Module& module, ConstId id, uint32_t index) {
-  const TypeId type = module.constant(id).type;
-  size_t first = 0;
-  for (uint32_t i = 0; i < index; ++i) {
-    first += module.types.Words(module.types.ElementType(type, i));
-  }
-  return module.Words(id).subspan(first, module.types.Words(module.types.ElementType(type, index)));
-}
-
 // Part `index` of `aggregate`, where that is what a call gives and its function always gives the
 // same constant there. So what a layer without opacity covers is known where it is blended.
 ValueId ConstantOfCall(Builder& builder, ValueId aggregate, uint32_t index) {
@@ -255,14 +244,9 @@ ValueId ConstantOfCall(Builder& builder, ValueId aggregate, uint32_t index) {
     at = callee.Operands(inst)[inst.op == Op::kSplat ? 0 : step];
   }
   if (callee[at].op != Op::kConst) return ValueId();
-  ConstId constant(callee[at].aux);
-  while (count > 0) {
-    const uint32_t step = steps[--count];
-    const TypeId part = module.types.ElementType(module.constant(constant).type, step);
-    std::span<const uint32_t> words = PartOf(module, constant, step);
-    constant = builder.module().Intern(part, std::vector<uint32_t>(words.begin(), words.end()));
-  }
-  return builder.Const(constant);
+  ValueId part = builder.Const(ir::ConstId(callee[at].aux));
+  while (count > 0) part = builder.Extract(part, steps[--count]);
+  return part;
 }
 
 }  // namespace

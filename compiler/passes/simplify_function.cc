@@ -88,27 +88,27 @@ void SimplifyRebuilder::CopyCall(ValueId old, std::span<ValueId> results) {
   }
 }
 
+// Code without branches and fields, of arguments alone; `calls`: other functions may be called.
+bool IsPlain(const ir::Function& function, bool calls) {
+  return std::ranges::all_of(function.Body().body, [&](ValueId v) {
+    const Op op = function[v].op;
+    const ir::OpShape shape = ir::Info(op).shape;
+    return (calls && op == Op::kCall) ||
+           (shape != ir::OpShape::kControl && shape != ir::OpShape::kCalling &&
+            shape != ir::OpShape::kLeaf);
+  });
+}
+
 // With nothing but constants, most of the callee folds.
 bool SimplifyRebuilder::IsConstantCall(const ir::Function& callee) {
   auto is_constant = [&](ValueId argument) { return to_.IsConst(argument); };
-  auto is_plain = [&](ValueId v) {
-    const ir::OpShape shape = ir::Info(callee[v].op).shape;
-    return shape != ir::OpShape::kControl && shape != ir::OpShape::kCalling &&
-           shape != ir::OpShape::kLeaf;
-  };
   return !arguments_.empty() && std::ranges::all_of(arguments_, is_constant) &&
-         std::ranges::all_of(callee.Body().body, is_plain);
+         IsPlain(callee, false);
 }
 
 // With a vector of which a component is known to be 0, an alpha say, products in the callee vanish,
 // and whatever else they are made of.
 bool SimplifyRebuilder::IsCallWithNothing(const ir::Function& callee) {
-  auto is_plain = [&](ValueId v) {
-    const Op op = callee[v].op;
-    const ir::OpShape shape = ir::Info(op).shape;
-    return op == Op::kCall || (shape != ir::OpShape::kControl && shape != ir::OpShape::kCalling &&
-                               shape != ir::OpShape::kLeaf);
-  };
   auto has_zero = [&](ValueId argument) {
     const TypeId type = to_.TypeOf(argument);
     const Op op = to_[argument].op;
@@ -123,8 +123,7 @@ bool SimplifyRebuilder::IsCallWithNothing(const ir::Function& callee) {
     return false;
   };
   return callee.Body().body.size() <= kMaxInlinedForNothing &&
-         std::ranges::any_of(arguments_, has_zero) &&
-         std::ranges::all_of(callee.Body().body, is_plain);
+         std::ranges::any_of(arguments_, has_zero) && IsPlain(callee, true);
 }
 
 void SimplifyRebuilder::EnterSide(ValueId old_if, bool taken) {

@@ -35,17 +35,12 @@ Range Everything(TypeId type) {
   return {-kInfinity, kInfinity};
 }
 
-double ComponentOf(TypeId type, uint32_t word) {
-  if (ir::IsFloat(type)) return std::bit_cast<float>(word);
-  return ir::ScalarOf(type) == Scalar::kInt ? double(static_cast<int32_t>(word)) : double(word);
-}
-
 Range Union(Range a, Range b) { return {std::min(a.low, b.low), std::max(a.high, b.high)}; }
 
 Range RangeOfConst(TypeId type, std::span<const uint32_t> words) {
   Range range{kInfinity, -kInfinity};
   for (uint32_t word : words) {
-    double component = ComponentOf(type, word);
+    double component = ir::NumberOf(type, word);
     if (component != component) return Everything(type);
     range = Union(range, {component, component});
   }

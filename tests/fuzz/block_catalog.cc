@@ -36,7 +36,7 @@ bool BlockCatalog::Usable(const Overload& overload) const {
 }
 
 ir::TypeId BlockCatalog::FieldResult(const Port& port) const {
-  return module_.types[port.type].elements[0];
+  return module_.types.ValueOf(port.type);
 }
 
 std::span<const ir::TypeId> BlockCatalog::FieldParameters(const Port& port) const {
@@ -157,8 +157,7 @@ bool BlockCatalog::WithinLimits(const Port& port, const graph::Argument& literal
 std::vector<float> BlockCatalog::Known(const Port& port,
                                        std::span<const PortArgument> arguments) const {
   std::vector<float> known;
-  const bool is_field = port.kind == blocks::PortKind::kField;
-  const ir::TypeId type = is_field ? types()[port.type].elements[0] : port.type;
+  const ir::TypeId type = types().ValueOf(port.type);
   auto argument = std::ranges::find(arguments, port.name, &PortArgument::port);
   if (argument == arguments.end()) {
     if (!port.default_value.valid()) return known;
