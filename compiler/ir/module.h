@@ -12,6 +12,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -119,12 +120,24 @@ struct Constant {
 
 enum class GlobalKind : uint8_t { kInput, kUniform, kSpecialization, kTexture };
 
+// What is known of a texture that holds whole numbers ("map", "lists" or "sprites" in a graph) when
+// the shader is made. It has one mip level; a fetch of any other, or outside of it, gives zeros.
+struct MapFacts {
+  uint32_t width = 1;
+  uint32_t height = 1;
+  uint32_t layers = 1;  // of an array; else 1
+  // Of a map whose numbers never change ("binding": "constant"): red of each texel, x fastest, row
+  // 0 at v = 0. Its green and blue are 0, its alpha is 1. Empty for all others.
+  std::vector<int32_t> values;
+};
+
 struct Global {
   GlobalKind kind;
   std::string name;
   TypeId type;
   ConstId value;          // the default of uniforms and specialisation constants
   bool is_smooth = true;  // textures: filtered linearly, so that what is sampled is continuous
+  std::optional<MapFacts> map = std::nullopt;  // textures
 };
 
 // Where a value came from, for comments and diagnostics. The module keeps the texts.
