@@ -58,6 +58,9 @@ struct Port {
   // "@not_below name": no component is below the one of that input of the overload, which has the
   // same type.
   std::optional<uint32_t> not_below;
+  // "@multiple_of name": columns and rows are multiples of those of the texture at that input, if
+  // its size is known when the shader is made.
+  std::optional<uint32_t> multiple_of;
   std::vector<EnumWord> words;
   std::vector<std::string> field_parameters;  // kField: the names of the prototype's parameters
 };

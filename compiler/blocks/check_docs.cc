@@ -38,8 +38,8 @@ struct ParameterDoc {
   std::vector<Setting> settings;
 };
 
-constexpr std::string_view kInlineTags[] = {"@default", "@length",    "@range",   "@unit",
-                                            "@ordered", "@not_below", "@computed"};
+constexpr std::string_view kInlineTags[] = {"@default", "@length",    "@range",    "@unit",
+                                            "@ordered", "@not_below", "@computed", "@multiple_of"};
 constexpr std::string_view kTags[] = {"@param", "@return", "@source"};
 
 bool IsBlank(char c) { return c == ' ' || c == '\t'; }
@@ -308,7 +308,8 @@ class DocChecker {
     port.help = doc->help;
     // The default is checked against the range.
     for (std::string_view tag :
-         {"@unit", "@range", "@length", "@default", "@ordered", "@not_below", "@computed"}) {
+         {"@unit", "@range", "@length", "@default", "@ordered", "@not_below", "@multiple_of",
+          "@computed"}) {
       for (const Setting& setting : doc->settings) {
         if (setting.tag.text == tag) SetSetting(port, setting, is_input);
       }
@@ -323,7 +324,7 @@ class DocChecker {
       SetRange(port, setting);
     } else if (tag == "@length") {
       SetLength(port, setting);
-    } else if (IsOrder(tag)) {
+    } else if (NamesInputs(tag)) {
       if (!is_input) Error(setting.tag.range, "an output has no '" + std::string(tag) + "'");
     } else if (tag == "@computed") {
       SetComputed(port, setting);
@@ -472,9 +473,12 @@ class DocChecker {
     if (!known_word) Error(value.range, "the default is none of the port's words");
   }
 
-  // --- Least and greatest values ---
+  // --- Least and greatest values, multiples ---
 
-  static bool IsOrder(std::string_view tag) { return tag == "@ordered" || tag == "@not_below"; }
+  // Set when all inputs are known.
+  static bool NamesInputs(std::string_view tag) {
+    return tag == "@ordered" || tag == "@not_below" || tag == "@multiple_of";
+  }
 
   // Of a field, the type of its results.
   TypeId ValueType(const Port& port) const { return program_.module.types.ValueOf(port.type); }
@@ -490,6 +494,7 @@ class DocChecker {
     for (const Setting& setting : doc->settings) {
       if (setting.tag.text == "@ordered") SetOrdered(port, setting);
       if (setting.tag.text == "@not_below") SetNotBelow(overload, port, setting);
+      if (setting.tag.text == "@multiple_of") SetMultipleOf(overload, port, setting);
     }
   }
 
@@ -503,21 +508,38 @@ class DocChecker {
     CheckDefaultOrder(port, words.first(words.size() - 1), words.subspan(1), setting);
   }
 
-  void SetNotBelow(const Overload& overload, Port& port, const Setting& setting) {
+  // The input that a tag names; null, and reported, if there is none.
+  const Port* FindInput(const Overload& overload, const Setting& setting) {
     const std::string_view name = setting.value.text;
+    auto input = std::ranges::find(overload.inputs, name, &Port::name);
+    if (input != overload.inputs.end()) return &*input;
     std::vector<std::string_view> known;
     for (const Port& other : overload.inputs) known.push_back(other.name);
-    auto least = std::ranges::find(overload.inputs, name, &Port::name);
-    if (least == overload.inputs.end()) {
-      return Error(setting.value.range,
-                   "there is no input '" + Printable(name, 60) + "'" + DidYouMean(name, known));
+    Error(setting.value.range,
+          "there is no input '" + Printable(name, 60) + "'" + DidYouMean(name, known));
+    return nullptr;
+  }
+
+  void SetMultipleOf(const Overload& overload, Port& port, const Setting& setting) {
+    const Port* map = FindInput(overload, setting);
+    if (!map) return;
+    if (port.kind != PortKind::kTemplate || port.type != ir::kIvec2 ||
+        map->kind != PortKind::kTexture) {
+      return Error(setting.tag.range,
+                   "'@multiple_of' is for a 'const ivec2', and names an input that is a texture");
     }
-    if (&*least == &port || !HoldsNumbers(port) || !HoldsNumbers(*least) ||
+    port.multiple_of = static_cast<uint32_t>(map - overload.inputs.data());
+  }
+
+  void SetNotBelow(const Overload& overload, Port& port, const Setting& setting) {
+    const Port* least = FindInput(overload, setting);
+    if (!least) return;
+    if (least == &port || !HoldsNumbers(port) || !HoldsNumbers(*least) ||
         ValueType(*least) != ValueType(port)) {
       return Error(setting.value.range,
                    "'@not_below' names another input of numbers of the same type");
     }
-    port.not_below = static_cast<uint32_t>(least - overload.inputs.begin());
+    port.not_below = static_cast<uint32_t>(least - overload.inputs.data());
     if (!port.default_value || !least->default_value) return;
     CheckDefaultOrder(port, program_.module.Words(least->default_value),
                       program_.module.Words(port.default_value), setting);

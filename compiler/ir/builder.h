@@ -34,6 +34,7 @@ class Builder {
   Builder(Module& module, Function& function, BuilderOptions options = {});
 
   Module& module() { return module_; }
+  const Module& module() const { return module_; }
   bool folds() const { return options_.fold; }
   Function& function() { return function_; }
   const Function& function() const { return function_; }

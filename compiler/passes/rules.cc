@@ -326,7 +326,7 @@ ValueId SimplifyRules::Apply(Builder& builder, Op op, TypeId type,
   if (const RuleVariant* found = FirstMatch(builder, op, type, operands, allowed_, bindings)) {
     simpler = Instantiate(found->replacement, builder, bindings, type);
   }
-  for (std::span<const CodeRule> rules : {StructureRules(), RangeRules()}) {
+  for (std::span<const CodeRule> rules : {StructureRules(), RangeRules(), BitRules()}) {
     for (const CodeRule& rule : rules) {
       if (simpler) break;
       if ((rule.flags & ~allowed_) == 0) simpler = rule.apply(builder, op, type, operands);

@@ -63,7 +63,8 @@ const RuleVariant* FirstMatch(const ir::Builder& builder, ir::Op op, ir::TypeId 
                               std::span<const ir::ValueId> operands, RuleFlags allowed,
                               Bindings& bindings);
 
-// Rules that the pattern language cannot say, in code: rules_structure.cc, rules_range.cc.
+// Rules that the pattern language cannot say, in code: rules_structure.cc, rules_range.cc,
+// rules_bits.cc.
 struct CodeRule {
   std::string_view name;
   RuleFlags flags;
@@ -73,6 +74,7 @@ struct CodeRule {
 };
 std::span<const CodeRule> StructureRules();
 std::span<const CodeRule> RangeRules();
+std::span<const CodeRule> BitRules();
 
 // What Simplify gives its builders. One object serves one thread.
 class SimplifyRules final : public ir::Rules {

@@ -116,9 +116,11 @@ class Analysis {
         return Union(Of(x[1], depth), Of(x[2], depth));
       case Op::kSplat:
         return Of(x[0], depth);
+      case Op::kIndex:
+        if (IsConstantArray(x[0])) return RangeOfConst(inst.type, builder_.ConstWords(x[0]));
+        [[fallthrough]];
       case Op::kExtract:
       case Op::kSwizzle:
-      case Op::kIndex:
         return ir::IsVector(builder_.TypeOf(x[0])) ? Of(x[0], depth) : Everything(inst.type);
       case Op::kConstruct: {
         Range range = Of(x[0], depth);
@@ -141,6 +143,14 @@ class Analysis {
       default:
         return Computed(inst, x, depth);
     }
+  }
+
+  // Of scalars or vectors.
+  bool IsConstantArray(ValueId value) const {
+    const ir::Types& types = builder_.module().types;
+    const TypeId type = builder_.TypeOf(value);
+    return builder_[value].op == Op::kConst && types.Kind(type) == ir::TypeKind::kArray &&
+           ir::IsVector(types.ElementType(type, 0));
   }
 
   Range Monotonic(const ir::Inst& inst, std::span<const ValueId> x, int depth) const {

@@ -36,9 +36,9 @@ constexpr uint64_t kMaxCost = 50'000'000;
 
 // What a parameter of an instance is bound to.
 struct Binding {
-  enum class Kind : uint8_t { kNone, kConst, kField };
+  enum class Kind : uint8_t { kNone, kConst, kField, kMap };
   Kind kind = Kind::kNone;
-  uint32_t id = 0;        // ConstId, or FunctionId among the old functions
+  uint32_t id = 0;        // ConstId, FunctionId among the old functions, or GlobalId of a texture
   uint32_t captures = 0;  // kField: how many parameters stand in its place
   ConstId home;           // kField that knows its home: that, if it is constant; no parameter then
 };
@@ -153,6 +153,7 @@ class Specializer {
   bool Binds(FunctionId callee, size_t parameter, ConstId value) const;
   bool MayBind(FunctionId callee) const { return fold_ && variants_[callee.index] < kMaxVariants; }
   const ir::Function& old(FunctionId id) const { return old_[id.index]; }
+  bool folds() const { return fold_; }
   bool failed() const { return failed_; }
 
  private:
@@ -200,6 +201,11 @@ class InstanceRebuilder : public ir::Rebuilder {
   void CallInstance(ValueId old, FunctionId callee, std::span<const ValueId> old_arguments,
                     std::span<const ValueId> captured, std::span<ValueId> results);
 
+  // The texture of whole numbers that a value is; null if it is none.
+  const ir::Global* MapOf(ValueId value) const;
+  ValueId SizeOfMap(const ir::MapFacts& map, ir::TypeId type);
+  ValueId FetchFromMap(const ir::Global& map, ValueId cell);
+
   Specializer& specializer_;
   const std::string_view suffix_;
   std::unordered_map<ValueId, FieldBinding> fields_;
@@ -216,6 +222,8 @@ void InstanceRebuilder::BindParameters(std::span<const Binding> bindings) {
       Set(param, to_.AddParameter(from_.parameters[i]));
     } else if (binding.kind == Binding::Kind::kConst) {
       Set(param, to_.Const(ConstId(binding.id)));
+    } else if (binding.kind == Binding::Kind::kMap) {
+      Set(param, to_.Global(ir::GlobalId(binding.id)));
     } else {
       const ir::Function& field = specializer_.old(FunctionId(binding.id));
       FieldBinding bound{FunctionId(binding.id), {}};
@@ -249,7 +257,39 @@ ValueId InstanceRebuilder::Copy(ValueId old) {
     CallInstance(old, field.function, operands.subspan(1), field.captured, {&result, 1});
     return result;
   }
+  if ((inst.op == Op::kFetch || inst.op == Op::kTextureSize) && specializer_.folds()) {
+    if (const ir::Global* map = MapOf(Get(operands[0]))) {
+      if (inst.op == Op::kTextureSize) return SizeOfMap(*map->map, inst.type);
+      if (!map->map->values.empty()) return FetchFromMap(*map, Get(operands[1]));
+    }
+  }
   return Rebuilder::Copy(old);
+}
+
+const ir::Global* InstanceRebuilder::MapOf(ValueId value) const {
+  const ir::Inst& inst = to_[value];
+  if (inst.op != Op::kGlobal || !module_.globals[inst.aux].map) return nullptr;
+  return &module_.globals[inst.aux];
+}
+
+ValueId InstanceRebuilder::SizeOfMap(const ir::MapFacts& map, ir::TypeId type) {
+  const uint32_t size[] = {map.width, map.height, map.layers};
+  return to_.Const(type, std::span(size).first(ir::Width(type)));
+}
+
+// From an array that the shader has as a constant. An index keeps within its array.
+ValueId InstanceRebuilder::FetchFromMap(const ir::Global& map, ValueId cell) {
+  const std::vector<int32_t>& values = map.map->values;
+  const std::vector<uint32_t> words(values.begin(), values.end());
+  const ConstId numbers =
+      module_.Intern(module_.types.Array(ir::kInt, static_cast<uint32_t>(words.size())), words);
+  module_.constant_names.try_emplace(numbers, module_.InternName(map.name));
+  const ValueId row =
+      to_.Op2(Op::kMul, to_.Extract(cell, 1), to_.Int(static_cast<int32_t>(map.map->width)));
+  const ValueId at = to_.Op2(Op::kAdd, row, to_.Extract(cell, 0));
+  const ValueId number =
+      to_.Convert(to_.Emit(Op::kIndex, ir::kInt, {to_.Const(numbers), at}), ir::kFloat);
+  return to_.Construct(ir::kVec4, {{number, to_.Float(0), to_.Float(0), to_.Float(1)}});
 }
 
 void InstanceRebuilder::CopyCall(ValueId old, std::span<ValueId> results) {
@@ -271,8 +311,11 @@ void InstanceRebuilder::CallInstance(ValueId old, FunctionId callee,
                             std::ranges::all_of(old_arguments, is_constant);
   auto pass = [&](ValueId argument) {
     size_t parameter = bindings_.size();
-    if (all_constant || (to_.IsConst(argument) &&
-                         specializer_.Binds(callee, parameter, ConstId(to_[argument].aux)))) {
+    if (MapOf(argument) && specializer_.MayBind(callee)) {
+      bindings_.push_back({Binding::Kind::kMap, to_[argument].aux, 0, ConstId()});
+    } else if (all_constant ||
+               (to_.IsConst(argument) &&
+                specializer_.Binds(callee, parameter, ConstId(to_[argument].aux)))) {
       bindings_.push_back({Binding::Kind::kConst, to_[argument].aux, 0, ConstId()});
     } else {
       bindings_.push_back({});

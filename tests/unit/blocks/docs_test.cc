@@ -304,6 +304,28 @@ TEST(BlockDocs, LeastAndGreatest) {
             "2:17: the defaults break '@not_below' [block-doc]\n");
 }
 
+TEST(BlockDocs, MultiplesOfTexturesSizes) {
+  TestLibrary test(Files{{"x.glsl",
+                          "/// X.\n/// @param cells columns and rows @multiple_of map\n"
+                          "float x(const ivec2 cells, sampler2D map, float a) { return a; }"}});
+  const Block* block = test.library.Find("x");
+  ASSERT_NE(block, nullptr) << test.Report();
+  EXPECT_EQ(block->overloads[0].inputs[0].multiple_of, 1u);
+  EXPECT_FALSE(block->overloads[0].inputs[2].multiple_of);
+  auto report = [](std::string_view doc) {
+    return ReportOf("/// X.\n/// @param " + std::string(doc) +
+                    "\nfloat x(const ivec2 a, ivec2 b, sampler2D c, out ivec2 d) {\n"
+                    "  d = b; return 1.0; }");
+  };
+  EXPECT_EQ(report("a it @multiple_of e"), "2:30: there is no input 'e' [block-doc]\n");
+  const char* wrong =
+      "2:17: '@multiple_of' is for a 'const ivec2', and names an input that is a texture "
+      "[block-doc]\n";
+  EXPECT_EQ(report("a it @multiple_of b"), wrong);
+  EXPECT_EQ(report("b it @multiple_of c"), wrong);
+  EXPECT_EQ(report("d it @multiple_of c"), "2:17: an output has no '@multiple_of' [block-doc]\n");
+}
+
 TEST(BlockDocs, Enumerations) {
   TestLibrary test(
       Files{{"x.glsl",

@@ -127,6 +127,40 @@ TEST_F(StructureRulesTest, SamplingWithoutBias) {
             "(sample @brick uv 1)");
 }
 
+TEST_F(StructureRulesTest, DivisionsByPowersOfTwoBecomeShifts) {
+  auto u = [&](uint32_t number) { return builder_.Uint(number); };
+  auto i = [&](int32_t number) { return builder_.Int(number); };
+  EXPECT_EQ(Text(Op2(Op::kDiv, u_, u(8))), "(shr u 3)");
+  EXPECT_EQ(Text(Op2(Op::kDiv, u_, u(0x80000000u))), "(shr u 31)");
+  EXPECT_EQ(Text(Op2(Op::kDiv, u_, u(12))), "(div u 12)");
+  EXPECT_EQ(Text(Op2(Op::kDiv, i_, i(8))), "(div i 8)") << "-1 / 8 is 0, -1 >> 3 is -1";
+  EXPECT_EQ(Text(Op2(Op::kMod, i_, i(8))), "(mod i 8)");
+  ValueId low = Op2(Op::kAnd, i_, i(63));
+  EXPECT_EQ(Text(Op2(Op::kDiv, low, i(8))), "(shr (and i 63) 3)");
+  EXPECT_EQ(Text(Op2(Op::kMod, low, i(8))), "(and i 7)");
+  EXPECT_EQ(Text(Op2(Op::kDiv, low, i(-2147483647 - 1))), "(div (and i 63) -2147483648)");
+  ValueId both = builder_.Emit(Op::kConstruct, ir::kUvec2, {u_, Op2(Op::kAdd, u_, u(1))});
+  const uint32_t powers[] = {4, 16};
+  EXPECT_EQ(Text(Op2(Op::kDiv, both, builder_.Const(ir::kUvec2, powers))),
+            "(shr (construct u (add u 1)) 2,4)");
+}
+
+TEST_F(StructureRulesTest, ShiftsOfShiftsAreOne) {
+  auto u = [&](uint32_t number) { return builder_.Uint(number); };
+  auto shifted = [&](ValueId v, uint32_t by) { return Op2(Op::kShr, v, u(by)); };
+  EXPECT_EQ(Text(shifted(shifted(u_, 20), 4)), "(shr u 24)");
+  EXPECT_EQ(Text(shifted(shifted(u_, 20), 20)), "0");
+  EXPECT_EQ(Text(Op2(Op::kShr, Op2(Op::kShr, i_, builder_.Int(20)), builder_.Int(20))),
+            "(shr i 31)");
+  // One of 16 by the upper half of the bits.
+  EXPECT_EQ(Text(shifted(Op2(Op::kMul, shifted(u_, 16), u(16)), 16)), "(shr u 28)");
+  EXPECT_EQ(Text(shifted(Op2(Op::kMul, shifted(u_, 16), u(12)), 16)),
+            "(shr (mul (shr u 16) 12) 16)");
+  EXPECT_EQ(Text(shifted(Op2(Op::kMul, shifted(u_, 3), u(16)), 16)),
+            "(shr (mul (shr u 3) 16) 16)")
+      << "the product loses a bit";
+}
+
 TEST_F(StructureRulesTest, RangesSettleComparisons) {
   ValueId unit = Op1(Op::kFract, x_), magnitude = Op1(Op::kAbs, x_);
   EXPECT_EQ(Text(Op2(Op::kLt, unit, Floats({2}))), "1");

@@ -62,6 +62,54 @@ std::string CallsOfWaves(const std::vector<std::string>& arguments) {
   return text + "  return " + results + "\n}\nmain main\n";
 }
 
+// A texture of whole numbers, 4 wide and 2 high, read by a function that gets the texture.
+std::string MapProgram(std::vector<int32_t> values, std::string& printed) {
+  ir::Module module = ir::ModuleFrom(R"(input p: ivec2
+texture where: sampler2D
+texture other: sampler2D
+function at(%map: sampler2D, %cell: ivec2) -> float {
+  %0 = texture_size %map, 0 : ivec2
+  %1 = sub %0, ivec2(1, 1) : ivec2
+  %2 = min %cell, %1 : ivec2
+  %3 = max %2, ivec2(0, 0) : ivec2
+  %4 = fetch %map, %3, 0 : vec4
+  %5 = dot %4, vec4(1.0, 10.0, 100.0, 1000.0) : float
+  %6 = sin %5 : float
+  return %6
+}
+function main() -> (a: float, b: float) {
+  %0 = call at(@where, @p) : float
+  %1 = call at(@other, @p) : float
+  return %0, %1
+}
+main main
+)");
+  module.globals[1].map = ir::MapFacts{4, 2, 1, std::move(values)};
+  Diagnostics diagnostics;
+  EXPECT_TRUE(Specialize(module, true, {}, diagnostics));
+  EXPECT_EQ(ir::Verify(module), "");
+  printed = ir::Print(module);
+  return printed.substr(0, printed.find("function \"at/2\""));
+}
+
+TEST(SpecializeTest, MapsThatNeverChangeAreConstantArrays) {
+  std::string all;
+  const std::string at = MapProgram({7, 6, 5, 4, 3, 2, 1, -1}, all);
+  EXPECT_THAT(at, Not(HasSubstr("fetch")));
+  EXPECT_THAT(at, Not(HasSubstr("texture_size")));
+  EXPECT_THAT(at, HasSubstr("ivec2(3, 1)")) << "the last texel";
+  EXPECT_THAT(at, HasSubstr("int[8](7, 6, 5, 4, 3, 2, 1, -1)"));
+  EXPECT_THAT(all, HasSubstr("fetch %map")) << "the other texture is one";
+}
+
+TEST(SpecializeTest, MapsThatChangeHaveAKnownSize) {
+  std::string all;
+  const std::string at = MapProgram({}, all);
+  EXPECT_THAT(at, HasSubstr("fetch @where"));
+  EXPECT_THAT(at, HasSubstr("ivec2(3, 1)"));
+  EXPECT_THAT(at, Not(HasSubstr("texture_size")));
+}
+
 TEST(SpecializeTest, ConstantsThatDecideNothingArePassed) {
   Result result = Specialized(CallsOfWaves({"@x, 0.5", "@x, 0.25"}));
   EXPECT_THAT(result.names, ElementsAre("waves", "main"));
