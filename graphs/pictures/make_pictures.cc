@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// make_pictures FOLDER: writes the pictures of the example graphs into FOLDER (graphs/ as a rule).
+// make_pictures FOLDER [PREFIX]: writes the pictures of the example graphs, or those of them whose
+// paths begin with PREFIX, into FOLDER (graphs/ as a rule).
 #include <png.h>
 
 #include <cstdio>
@@ -25,11 +26,12 @@ bool WritePng(const std::filesystem::path& path, const texgraph::pictures::Pictu
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::fprintf(stderr, "usage: make_pictures FOLDER\n");
+  if (argc != 2 && argc != 3) {
+    std::fprintf(stderr, "usage: make_pictures FOLDER [PREFIX]\n");
     return 2;
   }
   for (const texgraph::pictures::NamedPicture& picture : texgraph::pictures::Pictures()) {
+    if (argc == 3 && picture.path.rfind(argv[2], 0) != 0) continue;
     std::filesystem::path path = std::filesystem::path(argv[1]) / picture.path;
     if (!WritePng(path, picture.make())) {
       std::fprintf(stderr, "make_pictures: cannot write %s\n", path.c_str());

@@ -75,6 +75,7 @@ Picture PaintRelief(int width, int height, const Relief& relief) {
 
 std::vector<NamedPicture> Pictures() {
   return {
+      {"aperiodic_tiling/ground.png", MakeMeadow},
       {"brick_wall/brick.png", [] { return MakeBrick(256); }},
       {"brick_wall/mortar.png", [] { return MakeMortar(256); }},
       {"brick_wall/moss.png", [] { return MakeMoss(256); }},
@@ -92,12 +93,14 @@ std::vector<NamedPicture> Pictures() {
       {"hallway/plaster_relief.png", MakePlasterRelief},
       {"hallway/window.png", MakeWindow},
       {"hallway/window_relief.png", MakeWindowRelief},
+      {"landscape/ground.png", MakeLandscape},
       {"painted_wood/wood.png", MakeWood},
       {"roof_tiles/roof_tile.png", MakeRoofTile},
       {"roof_tiles/roof_tile_relief.png", MakeRoofTileRelief},
       {"tiled_floor/glaze.png", MakeGlaze},
       {"tiled_floor/glaze_relief.png", MakeGlazeRelief},
       {"tiled_floor/wear.png", MakeWear},
+      {"transition_tiling/ground.png", MakeShore},
   };
 }
 

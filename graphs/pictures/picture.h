@@ -79,5 +79,8 @@ Picture MakeGlazeRelief();
 Picture MakeWear();
 Picture MakeRoofTile();
 Picture MakeRoofTileRelief();
+Picture MakeMeadow();
+Picture MakeLandscape();
+Picture MakeShore();
 
 }  // namespace texgraph::pictures
