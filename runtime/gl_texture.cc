@@ -12,21 +12,26 @@ using textures::TexelFormat;
 
 struct Format {
   GLint internal;
+  GLenum layout;
   GLenum type;
 };
 
 Format FormatOf(TexelFormat format) {
   switch (format) {
     case TexelFormat::kRgba8:
-      return {GL_RGBA8, GL_UNSIGNED_BYTE};
+      return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE};
     case TexelFormat::kSrgb8Alpha8:
-      return {GL_SRGB8_ALPHA8, GL_UNSIGNED_BYTE};
+      return {GL_SRGB8_ALPHA8, GL_RGBA, GL_UNSIGNED_BYTE};
     case TexelFormat::kRgba16:
-      return {GL_RGBA16, GL_UNSIGNED_SHORT};
+      return {GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT};
     case TexelFormat::kRgba32F:
+      return {GL_RGBA32F, GL_RGBA, GL_FLOAT};
+    case TexelFormat::kR16F:
+      return {GL_R16F, GL_RED, GL_HALF_FLOAT};
+    case TexelFormat::kR32F:
       break;
   }
-  return {GL_RGBA32F, GL_FLOAT};
+  return {GL_R32F, GL_RED, GL_FLOAT};
 }
 
 GLint WrapOf(ir::Wrap wrap) {
@@ -54,34 +59,58 @@ GLint MinFilterOf(const ir::SamplerState& sampler) {
   return linear ? GL_LINEAR_MIPMAP_LINEAR : GL_NEAREST_MIPMAP_LINEAR;
 }
 
+GLenum TargetOf(const textures::TextureData& data) {
+  return data.is_3d ? GL_TEXTURE_3D : data.is_array ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D;
+}
+
+GLenum ProxyOf(const textures::TextureData& data) {
+  return data.is_3d      ? GL_PROXY_TEXTURE_3D
+         : data.is_array ? GL_PROXY_TEXTURE_2D_ARRAY
+                         : GL_PROXY_TEXTURE_2D;
+}
+
+void SetLevel(const GlFunctions& gl, GLenum target, const textures::TextureData& data, GLint level,
+              const void* bytes) {
+  const Format format = FormatOf(data.format);
+  const textures::TexelLevel& from = data.levels[static_cast<size_t>(level)];
+  const auto width = static_cast<GLsizei>(from.width);
+  const auto height = static_cast<GLsizei>(from.height);
+  if (data.is_3d || data.is_array) {
+    const auto depth = static_cast<GLsizei>(data.is_3d ? from.depth : data.layers);
+    gl.TexImage3D(target, level, format.internal, width, height, depth, 0, format.layout,
+                  format.type, bytes);
+  } else {
+    gl.TexImage2D(target, level, format.internal, width, height, 0, format.layout, format.type,
+                  bytes);
+  }
+}
+
 // Whether the driver would take level 0. The stated maximum is not enough: Mesa refuses smaller
 // ones that need too much memory.
 bool Fits(const GlFunctions& gl, const textures::TextureData& data, std::string& why_not) {
-  const Format format = FormatOf(data.format);
-  const auto width = static_cast<GLsizei>(data.levels[0].width);
-  const auto height = static_cast<GLsizei>(data.levels[0].height);
+  const textures::TexelLevel& base = data.levels[0];
   GLint most = 0;
-  gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
-  if (width > most || height > most) {
-    why_not = fmt::format("{} x {} texels; the driver takes {} each way", width, height, most);
+  gl.GetIntegerv(data.is_3d ? GL_MAX_3D_TEXTURE_SIZE : GL_MAX_TEXTURE_SIZE, &most);
+  const auto limit = static_cast<uint32_t>(most);
+  if (base.width > limit || base.height > limit || base.depth > limit) {
+    const std::string size = data.is_3d
+                                 ? fmt::format("{} x {} x {}", base.width, base.height, base.depth)
+                                 : fmt::format("{} x {}", base.width, base.height);
+    why_not = fmt::format("{} texels; the driver takes {} each way", size, limit);
     return false;
   }
-  const GLenum target = data.is_array ? GL_PROXY_TEXTURE_2D_ARRAY : GL_PROXY_TEXTURE_2D;
   if (data.is_array) {
     gl.GetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &most);
     if (data.layers > static_cast<uint32_t>(most)) {
       why_not = fmt::format("{} layers; the driver takes {}", data.layers, most);
       return false;
     }
-    gl.TexImage3D(target, 0, format.internal, width, height, static_cast<GLsizei>(data.layers), 0,
-                  GL_RGBA, format.type, nullptr);
-  } else {
-    gl.TexImage2D(target, 0, format.internal, width, height, 0, GL_RGBA, format.type, nullptr);
   }
+  SetLevel(gl, ProxyOf(data), data, 0, nullptr);
   GLint accepted = 0;
-  gl.GetTexLevelParameteriv(target, 0, GL_TEXTURE_WIDTH, &accepted);
-  if (accepted == width) return true;
-  why_not = fmt::format("{} x {} texels, too large for the driver", width, height);
+  gl.GetTexLevelParameteriv(ProxyOf(data), 0, GL_TEXTURE_WIDTH, &accepted);
+  if (static_cast<uint32_t>(accepted) == base.width) return true;
+  why_not = fmt::format("{} x {} texels, too large for the driver", base.width, base.height);
   return false;
 }
 
@@ -90,8 +119,7 @@ bool Fits(const GlFunctions& gl, const textures::TextureData& data, std::string&
 GLuint UploadTexture(const GlFunctions& gl, uint32_t unit, const textures::TextureData& data,
                      std::string& why_not) {
   if (!Fits(gl, data, why_not)) return 0;
-  const GLenum target = data.is_array ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D;
-  const Format format = FormatOf(data.format);
+  const GLenum target = TargetOf(data);
   GLuint texture = 0;
   gl.GenTextures(1, &texture);
   gl.ActiveTexture(GL_TEXTURE0 + unit);
@@ -99,16 +127,7 @@ GLuint UploadTexture(const GlFunctions& gl, uint32_t unit, const textures::Textu
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   const auto last = static_cast<GLint>(data.levels.size()) - 1;
   for (GLint level = 0; level <= last; ++level) {
-    const textures::TexelLevel& from = data.levels[static_cast<size_t>(level)];
-    const auto width = static_cast<GLsizei>(from.width);
-    const auto height = static_cast<GLsizei>(from.height);
-    if (data.is_array) {
-      gl.TexImage3D(target, level, format.internal, width, height,
-                    static_cast<GLsizei>(data.layers), 0, GL_RGBA, format.type, from.bytes.data());
-    } else {
-      gl.TexImage2D(target, level, format.internal, width, height, 0, GL_RGBA, format.type,
-                    from.bytes.data());
-    }
+    SetLevel(gl, target, data, level, data.levels[static_cast<size_t>(level)].bytes.data());
   }
   const float coarsest = std::min(data.sampler.max_level, static_cast<float>(last));
   gl.TexParameteri(target, GL_TEXTURE_MAX_LEVEL, static_cast<GLint>(coarsest));
@@ -117,6 +136,7 @@ GLuint UploadTexture(const GlFunctions& gl, uint32_t unit, const textures::Textu
                    data.sampler.filter == ir::Filter::kLinear ? GL_LINEAR : GL_NEAREST);
   gl.TexParameteri(target, GL_TEXTURE_WRAP_S, WrapOf(data.sampler.wrap_u));
   gl.TexParameteri(target, GL_TEXTURE_WRAP_T, WrapOf(data.sampler.wrap_v));
+  if (data.is_3d) gl.TexParameteri(target, GL_TEXTURE_WRAP_R, WrapOf(data.sampler.wrap_w));
   return texture;
 }
 

@@ -2,196 +2,41 @@
 #include "compiler/textures/texels.h"
 
 #include <fmt/format.h>
-#include <string.h>
 
-#include <algorithm>
 #include <new>
 
-#include "compiler/textures/srgb.h"
+#include "compiler/textures/texel_chain.h"
 
 namespace texgraph::textures {
 namespace {
 
-using Texel = std::array<float, 4>;
-
-float DecodeSample(uint32_t sample, uint8_t bits, bool srgb) {
-  if (bits == 8) {
-    return srgb ? SrgbDecode8(static_cast<uint8_t>(sample)) : static_cast<float>(sample) / 255.0f;
-  }
-  if (srgb) return static_cast<float>(SrgbDecode(sample / 65535.0));
-  return static_cast<float>(sample) / 65535.0f;
-}
-
-// The value of each sample that an image of these bits can hold.
-std::vector<float> DecodeTable(uint8_t bits, bool srgb) {
-  std::vector<float> table(size_t{1} << bits);
-  for (size_t i = 0; i < table.size(); ++i)
-    table[i] = DecodeSample(static_cast<uint32_t>(i), bits, srgb);
-  return table;
-}
-
-// Appends the image's texels, bottom row first.
-void AppendLayer(const Image& image, bool srgb, std::vector<Texel>& texels) {
-  const std::vector<float> color = DecodeTable(image.bits, srgb);
-  const std::vector<float> alpha = srgb ? DecodeTable(image.bits, false) : color;
-  const uint32_t color_channels = image.channels >= 3 ? 3 : 1;
-  const bool has_alpha = image.channels % 2 == 0;
-  for (uint32_t row = 0; row < image.height; ++row) {
-    const uint32_t y = image.height - 1 - row;
-    for (uint32_t x = 0; x < image.width; ++x) {
-      Texel texel;
-      for (uint32_t c = 0; c < 3; ++c)
-        texel[c] = color[image.At(x, y, std::min(c, color_channels - 1))];
-      texel[3] = has_alpha ? alpha[image.At(x, y, image.channels - 1u)] : 1.0f;
-      texels.push_back(texel);
-    }
-  }
-}
-
-template <class T>
-void Store(uint8_t* to, T a, T b, T c, T d) {
-  const T values[4] = {a, b, c, d};
-  memcpy(to, values, sizeof values);
-}
-
-void Encode(TexelFormat format, const Texel& t, uint8_t* to) {
-  switch (format) {
-    case TexelFormat::kRgba8:
-      return Store(to, Unorm8(t[0]), Unorm8(t[1]), Unorm8(t[2]), Unorm8(t[3]));
-    case TexelFormat::kSrgb8Alpha8:
-      return Store(to, SrgbEncode8(t[0]), SrgbEncode8(t[1]), SrgbEncode8(t[2]), Unorm8(t[3]));
-    case TexelFormat::kRgba16:
-      return Store(to, Unorm16(t[0]), Unorm16(t[1]), Unorm16(t[2]), Unorm16(t[3]));
-    case TexelFormat::kRgba32F:
-      return Store(to, t[0], t[1], t[2], t[3]);
-  }
-}
-
-template <class T>
-std::array<T, 4> Load(const uint8_t* from) {
-  std::array<T, 4> values;
-  memcpy(values.data(), from, sizeof values);
-  return values;
-}
-
-Texel Decode(TexelFormat format, const uint8_t* from) {
-  if (format == TexelFormat::kRgba32F) return Load<float>(from);
-  Texel texel;
-  for (uint32_t c = 0; c < 4; ++c) {
-    if (format == TexelFormat::kRgba16) {
-      texel[c] = DecodeSample(Load<uint16_t>(from)[c], 16, false);
-    } else {
-      texel[c] = DecodeSample(from[c], 8, format == TexelFormat::kSrgb8Alpha8 && c < 3);
-    }
-  }
-  return texel;
-}
-
-TexelFormat FormatFor(std::span<const Image> layers, const TextureOptions& options) {
-  if (options.as_float) return TexelFormat::kRgba32F;
-  // One deep layer makes the whole array deep.
-  for (const Image& image : layers) {
-    if (image.bits == 16) return TexelFormat::kRgba16;
-  }
-  return options.srgb ? TexelFormat::kSrgb8Alpha8 : TexelFormat::kRgba8;
-}
-
-bool CheckLayers(std::span<const Image> layers, std::string_view name, SourceRange range,
-                 Diagnostics& diagnostics) {
-  uint64_t pixels = 0;
-  for (const Image& image : layers) {
-    if (image.width != layers[0].width || image.height != layers[0].height) {
-      diagnostics.Error(
-          DiagnosticKind::kBadImage, range,
-          fmt::format("the layers of texture '{}' differ in size: {} x {} and {} x {}",
-                      Printable(name), layers[0].width, layers[0].height, image.width,
-                      image.height));
-      return false;
-    }
-    pixels += uint64_t{image.width} * image.height;
-  }
-  if (pixels <= kMaxImagePixels) return true;
-  diagnostics.Error(DiagnosticKind::kSizeLimit, range,
-                    fmt::format("texture '{}' has {} pixels; the limit is {}", Printable(name),
-                                pixels, kMaxImagePixels));
-  return false;
-}
-
-ir::SamplerState SamplerFor(const TextureOptions& options) {
-  ir::SamplerState sampler;
-  sampler.wrap_u = options.wrap_u;
-  sampler.wrap_v = options.wrap_v;
-  sampler.wrap_w = ir::Wrap::kClamp;
-  sampler.filter = options.filter;
-  sampler.mip_filter = !options.mipmaps                         ? ir::MipFilter::kNone
-                       : options.filter == ir::Filter::kNearest ? ir::MipFilter::kNearest
-                                                                : ir::MipFilter::kLinear;
-  if (options.max_level) sampler.max_level = static_cast<float>(*options.max_level);
-  return sampler;
-}
-
-// All texels of a coarse level that are transparent give their plain mean: this much of each counts
-// as there. It is below half a step of 16 bits by far.
-constexpr float kLeastOpacity = 0x1p-20f;
-
-// Multiplies colours by their weight, or divides them by it.
-void WeighColors(std::vector<Texel>& texels, bool divide) {
-  for (Texel& texel : texels) {
-    const float weight = texel[3] + kLeastOpacity;
-    for (size_t c = 0; c < 3; ++c) texel[c] = divide ? texel[c] / weight : texel[c] * weight;
-  }
-}
-
-void BuildLevels(const TextureOptions& options, ir::Texture& chain) {
-  const bool weigh =
-      options.alpha_is_opacity &&
-      std::ranges::any_of(chain.levels[0].texels, [](const Texel& t) { return t[3] != 1.0f; });
-  if (!weigh) return ir::BuildMipChain(chain);
-  std::vector<Texel> base = chain.levels[0].texels;
-  WeighColors(chain.levels[0].texels, false);
-  ir::BuildMipChain(chain);
-  chain.levels[0].texels = std::move(base);
-  for (size_t i = 1; i < chain.levels.size(); ++i) WeighColors(chain.levels[i].texels, true);
-}
-
 TextureData Build(std::span<const Image> layers, const TextureOptions& options) {
-  TextureData data;
-  data.format = FormatFor(layers, options);
-  data.layers = static_cast<uint32_t>(layers.size());
-  data.is_array = options.is_array;
-  data.sampler = SamplerFor(options);
-
   ir::Texture chain;
   chain.is_array = options.is_array;
+  chain.is_3d = options.is_3d;
+  chain.sampler = SamplerFor(options);
   ir::Texture::Level& base = chain.levels.emplace_back();
   base.width = layers[0].width;
   base.height = layers[0].height;
-  base.depth = data.layers;
+  base.depth = static_cast<uint32_t>(layers.size());
   base.texels.reserve(size_t{base.width} * base.height * base.depth);
-  for (const Image& image : layers) AppendLayer(image, options.srgb, base.texels);
-  if (options.mipmaps && options.max_level != 0u) BuildLevels(options, chain);
+  for (const Image& image : layers) AppendPicture(image, options.srgb, base.texels);
+  if (options.mipmaps && options.max_level != 0u) BuildLevels(chain, options.alpha_is_opacity);
   if (options.max_level && chain.levels.size() > size_t{*options.max_level} + 1) {
     chain.levels.resize(size_t{*options.max_level} + 1);
   }
-  const uint32_t size = TexelBytes(data.format);
-  for (ir::Texture::Level& from : chain.levels) {
-    TexelLevel& to = data.levels.emplace_back();
-    to.width = from.width;
-    to.height = from.height;
-    to.bytes.resize(from.texels.size() * size);
-    for (size_t i = 0; i < from.texels.size(); ++i)
-      Encode(data.format, from.texels[i], &to.bytes[i * size]);
-    std::vector<Texel>().swap(from.texels);
-  }
-  return data;
+  return EncodeLevels(chain, FormatFor(layers, options));
 }
 
 }  // namespace
 
 uint32_t TexelBytes(TexelFormat format) {
   switch (format) {
+    case TexelFormat::kR16F:
+      return 2;
     case TexelFormat::kRgba8:
     case TexelFormat::kSrgb8Alpha8:
+    case TexelFormat::kR32F:
       return 4;
     case TexelFormat::kRgba16:
       return 8;
@@ -204,17 +49,16 @@ uint32_t TexelBytes(TexelFormat format) {
 std::optional<TextureData> MakeTexture(std::span<const Image> layers, const TextureOptions& options,
                                        std::string_view name, SourceRange range,
                                        Diagnostics& diagnostics) {
-  if (layers.empty() || (layers.size() > 1 && !options.is_array)) {
+  if (layers.empty() || (layers.size() > 1 && !options.is_array && !options.is_3d)) {
     diagnostics.Error(DiagnosticKind::kBadImage, range,
                       fmt::format("texture '{}' has {} images", Printable(name), layers.size()));
     return std::nullopt;
   }
-  if (!CheckLayers(layers, name, range, diagnostics)) return std::nullopt;
+  if (!CheckPictures(layers, name, range, diagnostics)) return std::nullopt;
   try {
     return Build(layers, options);
   } catch (const std::bad_alloc&) {
-    diagnostics.Error(DiagnosticKind::kOutOfMemory, range,
-                      fmt::format("there is not enough memory for texture '{}'", Printable(name)));
+    ReportNoMemory(name, range, diagnostics);
     return std::nullopt;
   }
 }
@@ -223,15 +67,16 @@ ir::Texture ToTexture(const TextureData& data) {
   ir::Texture texture;
   texture.sampler = data.sampler;
   texture.is_array = data.is_array;
+  texture.is_3d = data.is_3d;
   const uint32_t size = TexelBytes(data.format);
   for (const TexelLevel& from : data.levels) {
     ir::Texture::Level& to = texture.levels.emplace_back();
     to.width = from.width;
     to.height = from.height;
-    to.depth = data.layers;
+    to.depth = data.is_3d ? from.depth : data.layers;
     to.texels.resize(from.bytes.size() / size);
     for (size_t i = 0; i < to.texels.size(); ++i)
-      to.texels[i] = Decode(data.format, &from.bytes[i * size]);
+      to.texels[i] = DecodeTexel(data.format, &from.bytes[i * size]);
   }
   return texture;
 }

@@ -16,14 +16,16 @@
 
 namespace texgraph::textures {
 
-// Always four channels: grey is spread to red, green and blue; a missing alpha is 1.
-enum class TexelFormat : uint8_t { kRgba8, kSrgb8Alpha8, kRgba16, kRgba32F };
+// Pictures have four channels: grey is spread to red, green and blue; a missing alpha is 1. Maps of
+// numbers (maps.h) have one; a shader reads them as (number, 0, 0, 1).
+enum class TexelFormat : uint8_t { kRgba8, kSrgb8Alpha8, kRgba16, kRgba32F, kR16F, kR32F };
 
 struct TexelLevel {
   uint32_t width = 1;
   uint32_t height = 1;
-  std::vector<uint8_t>
-      bytes;  // row 0 is v = 0; x fastest, then y, then layer; in the machine's byte order
+  uint32_t depth = 1;  // slices of a 3D texture; 1 else, also for an array
+  // Row 0 is v = 0; x fastest, then y, then slice or layer; in the machine's byte order.
+  std::vector<uint8_t> bytes;
 };
 
 struct TextureOptions {
@@ -36,14 +38,22 @@ struct TextureOptions {
   ir::Filter filter = ir::Filter::kLinear;  // nearest also picks the nearest mip level
   ir::Wrap wrap_u = ir::Wrap::kRepeat;
   ir::Wrap wrap_v = ir::Wrap::kRepeat;
+  ir::Wrap wrap_w = ir::Wrap::kRepeat;  // of a 3D texture
   bool is_array = false;
+  bool is_3d = false;     // the images are slices, from w = 0 up; mip levels are 2x2x2
   bool as_float = false;  // kRgba32F, with no rounding at all; for comparing filters
+  // For arrays whose layers are patterns that stand beside each other: pattern_levels.h.
+  bool match_edges = false;
+  // How often each layer is drawn; none: the levels are those of each layer alone. As many as
+  // layers, none negative, the sum above 0; only their ratios count.
+  std::vector<double> weights;
 };
 
 struct TextureData {
   TexelFormat format = TexelFormat::kRgba8;
-  uint32_t layers = 1;
+  uint32_t layers = 1;  // of an array; 1 else
   bool is_array = false;
+  bool is_3d = false;
   std::vector<TexelLevel> levels;  // at least one
   ir::SamplerState sampler;
 };
@@ -51,7 +61,8 @@ struct TextureData {
 uint32_t TexelBytes(TexelFormat format);
 
 // 8-bit images become kSrgb8Alpha8 or kRgba8. 16-bit ones become kRgba16, decoded first if they are
-// sRGB, since GL has no sRGB format of 16 bits. `layers` has one image unless `options.is_array`.
+// sRGB, since GL has no sRGB format of 16 bits. `layers` has one image unless `options.is_array` or
+// `options.is_3d`.
 // Reported, naming `name`: layers of different sizes (kBadImage), kSizeLimit and kOutOfMemory.
 std::optional<TextureData> MakeTexture(std::span<const Image> layers, const TextureOptions& options,
                                        std::string_view name, SourceRange range,

@@ -258,6 +258,68 @@ TEST_P(TextureTest, ArraysHaveLayers) {
   EXPECT_LE(difference, kByte);
 }
 
+TEST_P(TextureTest, VolumesHaveThreeAxes) {
+  for (ir::Wrap wrap : {ir::Wrap::kRepeat, ir::Wrap::kClamp, ir::Wrap::kMirror}) {
+    TextureOptions options;
+    options.is_3d = true;
+    options.as_float = true;
+    options.wrap_v = ir::Wrap::kClamp;
+    options.wrap_w = wrap;
+    std::vector<textures::Image> slices;
+    for (uint32_t z = 0; z < 8; ++z) slices.push_back(RandomImage(8, 4, 3, 8, 20 + z));
+    const ir::Texture texture = ToTexture(Make(slices, options));
+    for (float level : {0.0f, 0.75f, 2.0f}) {
+      RenderRequest request =
+          ShaderRequest("uniform sampler3D image; uniform float level;",
+                        "out_color = textureLod(image, vec3(uv, 2.0 * uv.x - 0.5 * uv.y), level);"
+                        "out_height = 0.0;",
+                        64, 64);
+      request.window = {-0.78125, -0.53125, 1.21875, 1.46875};
+      AddTexture(request, "image", Make(slices, options));
+      test::AddUniform(request, "level", ir::kFloat, {level});
+      const RenderResult result = Draw(request, GetParam().choice);
+      const double difference = LargestDifference(result.outputs[0], request, [&](const float* uv) {
+        const float coordinate[3] = {uv[0], uv[1], 2.0f * uv[0] - 0.5f * uv[1]};
+        return ir::SampleLod(texture, coordinate, level);
+      });
+      EXPECT_LE(difference, 1e-5) << "wrap " << int(wrap) << " level " << level;
+    }
+  }
+}
+
+// Maps of numbers: read as they are, one channel, the rest as OpenGL fills it up.
+TEST_P(TextureTest, NumbersArrive) {
+  for (auto format : {textures::TexelFormat::kR16F, textures::TexelFormat::kR32F}) {
+    const bool half = format == textures::TexelFormat::kR16F;
+    TextureData data;
+    data.format = format;
+    data.sampler.filter = ir::Filter::kNearest;
+    data.sampler.mip_filter = ir::MipFilter::kNone;
+    textures::TexelLevel& level = data.levels.emplace_back();
+    level.width = 3;  // an odd number of bytes in a row for halves: no row is padded
+    level.height = 2;
+    const std::vector<float> numbers = {-1, 0, 1, 7, 2047, half ? 2048.0f : 16777215.0f};
+    const uint16_t halves[] = {0xbc00, 0, 0x3c00, 0x4700, 0x67ff, 0x6800};
+    const auto* bytes = half ? reinterpret_cast<const uint8_t*>(halves)
+                             : reinterpret_cast<const uint8_t*>(numbers.data());
+    level.bytes.assign(bytes, bytes + numbers.size() * (half ? 2 : 4));
+    RenderRequest request = ShaderRequest(
+        "uniform sampler2D image;",
+        "out_color = texelFetch(image, ivec2(gl_FragCoord.xy), 0); out_height = 0.0;", 3, 2);
+    AddTexture(request, "image", data);
+    const RenderResult result = Draw(request, GetParam().choice);
+    const ir::Texture texture = ToTexture(data);
+    for (uint32_t i = 0; i < 6; ++i) {
+      EXPECT_EQ(texture.levels[0].texels[i], (ir::Texel{numbers[i], 0, 0, 1})) << i;
+      for (uint32_t channel = 0; channel < 4; ++channel) {
+        EXPECT_EQ(FloatAt(result.outputs[0], 3, i % 3, i / 3, channel),
+                  texture.levels[0].texels[i][channel])
+            << i;
+      }
+    }
+  }
+}
+
 TEST_P(TextureTest, ManyTexturesKeepTheirNames) {
   const int count = 16;
   std::string declarations;
@@ -289,6 +351,20 @@ TEST_P(TextureTest, TooManyTexturesAreALimit) {
   const RenderResult result = Render(request);
   EXPECT_EQ(FirstName(result.diagnostics), "target-limit");
   EXPECT_EQ(result.diagnostics.exit_code(), ExitCode::kLimit);
+}
+
+TEST_P(TextureTest, TooDeepTexturesAreALimit) {
+  TextureOptions options;
+  options.is_3d = true;
+  options.mipmaps = false;
+  RenderRequest request =
+      ShaderRequest("uniform sampler3D image;",
+                    "out_color = texture(image, vec3(uv, 0.0)); out_height = 0.0;", 2, 2);
+  request.context.choice = GetParam().choice;
+  AddTexture(request, "image",
+             Make(std::vector<textures::Image>(70000, RandomImage(1, 1, 1, 8, 1)), options));
+  const RenderResult result = Render(request);
+  EXPECT_EQ(FirstName(result.diagnostics), "target-limit") << FirstMessage(result.diagnostics);
 }
 
 TEST_P(TextureTest, TooLargeTexturesAreALimit) {
