@@ -75,6 +75,7 @@ Picture PaintRelief(int width, int height, const Relief& relief) {
 
 std::vector<NamedPicture> Pictures() {
   return {
+      {"animated_tiles/drops.png", MakeDrops},
       {"aperiodic_tiling/ground.png", MakeMeadow},
       {"brick_wall/brick.png", [] { return MakeBrick(256); }},
       {"brick_wall/mortar.png", [] { return MakeMortar(256); }},
@@ -94,13 +95,20 @@ std::vector<NamedPicture> Pictures() {
       {"hallway/window.png", MakeWindow},
       {"hallway/window_relief.png", MakeWindowRelief},
       {"landscape/ground.png", MakeLandscape},
+      {"led_board/lamps.png", MakeLamps},
+      {"led_board/message.png", MakeMessage},
+      {"moving_sprites/insects.png", MakeInsects},
+      {"opening_flowers/flower.png", MakeOpeningFlower},
       {"painted_wood/wood.png", MakeWood},
       {"roof_tiles/roof_tile.png", MakeRoofTile},
       {"roof_tiles/roof_tile_relief.png", MakeRoofTileRelief},
+      {"scattered_leaves/floor.png", MakeForestFloor},
+      {"scattered_leaves/leaves.png", MakeLeaves},
       {"tiled_floor/glaze.png", MakeGlaze},
       {"tiled_floor/glaze_relief.png", MakeGlazeRelief},
       {"tiled_floor/wear.png", MakeWear},
       {"transition_tiling/ground.png", MakeShore},
+      {"volumetric_trees/tree.png", MakeTree},
   };
 }
 

@@ -82,5 +82,13 @@ Picture MakeRoofTileRelief();
 Picture MakeMeadow();
 Picture MakeLandscape();
 Picture MakeShore();
+Picture MakeLeaves();
+Picture MakeForestFloor();
+Picture MakeLamps();
+Picture MakeMessage();
+Picture MakeDrops();
+Picture MakeOpeningFlower();
+Picture MakeTree();
+Picture MakeInsects();
 
 }  // namespace texgraph::pictures
