@@ -19,6 +19,7 @@
 namespace texgraph::textures {
 
 inline constexpr uint32_t kMaxSpriteLayers = 64;
+inline constexpr uint64_t kMaxSpriteTexels = uint64_t{1} << 22;  // cells times layers
 
 struct Sprite {
   int32_t pattern = 0;
@@ -86,9 +87,9 @@ struct PlacedSprite {
 // The most sprites in one cell; at least 1. Those outside of the grid count nowhere.
 uint32_t SpriteLayersNeeded(std::span<const PlacedSprite> sprites, uint32_t width, uint32_t height);
 
-// The texture: nearest, one level. `layers`: as many as needed if not given. Reported at the
-// sprite, naming `name`: kValueRange for a pattern that is not there, a sprite outside of the grid
-// and more than `layers` in a cell; at `range`: kSizeLimit, kOutOfMemory.
+// The texture: nearest, one level. `layers`, 1 to kMaxSpriteLayers: as many as needed if not given.
+// Reported at the sprite, naming `name`: kValueRange for a pattern that is not there, a sprite
+// outside of the grid and more than `layers` in a cell; at `range`: kSizeLimit, kOutOfMemory.
 std::optional<TextureData> SpritesTexture(std::span<const PlacedSprite> sprites, uint32_t width,
                                           uint32_t height, std::optional<uint32_t> layers,
                                           uint32_t patterns, std::string_view name,
