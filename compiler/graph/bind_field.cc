@@ -71,8 +71,7 @@ std::optional<BoundPort> SubgraphChecker::BindFieldOfTexture(const Target& targe
                                                              uint32_t texture) {
   const ir::Types& types = check_.module.types;
   ir::TypeId type = target.port.type;
-  bool is_array = check_.graph.textures[texture].is_array;
-  ir::TypeId coordinate = is_array ? ir::kVec3 : ir::kVec2;
+  ir::TypeId coordinate = CoordinateType(check_.graph.textures[texture]);
   std::span<const ir::TypeId> parameters = ParameterTypes(types, type);
   if (parameters.empty() || parameters[0] != coordinate) {
     target.place.AddNote(check_.diagnostics.Error(
@@ -172,9 +171,9 @@ std::optional<int> SubgraphChecker::FieldCost(const blocks::Port& port, const Ar
   if (resolved.kind == Resolved::Kind::kLiteral) return LiteralCost(argument, result, types);
   if (resolved.kind == Resolved::Kind::kWrong) return 0;  // reported when it is bound
   if (resolved.symbol.kind == Kind::kTexture) {
-    bool is_array = check_.graph.textures[resolved.symbol.index].is_array;
+    ir::TypeId coordinate = CoordinateType(check_.graph.textures[resolved.symbol.index]);
     std::span<const ir::TypeId> parameters = ParameterTypes(types, port.type);
-    bool fits = !parameters.empty() && parameters[0] == (is_array ? ir::kVec3 : ir::kVec2);
+    bool fits = !parameters.empty() && parameters[0] == coordinate;
     return fits ? ConversionCost(ir::kVec4, result) : std::nullopt;
   }
   bool function = resolved.symbol.kind == Kind::kFunction;

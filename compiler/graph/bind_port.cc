@@ -183,6 +183,33 @@ void SubgraphChecker::ReportWord(const Target& target, const Argument& argument)
                   Printable(argument.text, 64), DidYouMean(argument.text, words))));
 }
 
+namespace {
+
+// The key that makes a texture what it is, for messages.
+std::string_view WhatItHas(const Texture& texture) {
+  if (texture.pack == TexturePack::kAtlas) return "\"pack\": \"atlas\"";
+  if (texture.pack == TexturePack::kVolume) return "\"pack\": \"volume\"";
+  switch (texture.kind) {
+    case TextureKind::kFile:
+      return "one \"file\"";
+    case TextureKind::kLayers:
+      return "\"layers\"";
+    case TextureKind::kSheet:
+      return "a \"sheet\"";
+    case TextureKind::kMap:
+      return "a \"map\"";
+    case TextureKind::kLists:
+      return "\"lists\"";
+    case TextureKind::kSprites:
+      return "\"sprites\"";
+    case TextureKind::kMeans:
+      return "\"means\"";
+  }
+  return {};
+}
+
+}  // namespace
+
 std::optional<BoundPort> SubgraphChecker::BindTexture(const Target& target,
                                                       const Argument& argument,
                                                       const Resolved& resolved) {
@@ -195,19 +222,19 @@ std::optional<BoundPort> SubgraphChecker::BindTexture(const Target& target,
     ReportNoValue(target, argument, resolved, "a texture");
     return std::nullopt;
   }
-  bool is_array = check_.graph.textures[resolved.symbol.index].is_array;
-  ir::TypeId type = is_array ? ir::kSampler2DArray : ir::kSampler2D;
+  const Texture& found = check_.graph.textures[resolved.symbol.index];
+  ir::TypeId type = SamplerType(found);
   if (type == target.port.type) {
     return BoundPort{TextureRef{resolved.symbol.index}, type, type, {}, argument.range};
   }
   std::string_view wants = target.port.type == ir::kSampler2D ? "a texture with one \"file\""
                            : target.port.type == ir::kSampler2DArray
                                ? "a texture with \"layers\""
-                               : "a 3D texture, which a graph cannot have yet";
-  target.place.AddNote(check_.diagnostics.Error(
-      DiagnosticKind::kPortType, argument.range,
-      fmt::format("{} takes {}, but '{}' has {}", target.place.Text(), wants,
-                  Printable(argument.text, 64), is_array ? "\"layers\"" : "one \"file\"")));
+                               : "a texture with \"pack\": \"volume\"";
+  target.place.AddNote(
+      check_.diagnostics.Error(DiagnosticKind::kPortType, argument.range,
+                               fmt::format("{} takes {}, but '{}' has {}", target.place.Text(),
+                                           wants, Printable(argument.text, 64), WhatItHas(found))));
   return std::nullopt;
 }
 

@@ -14,6 +14,14 @@
 
 namespace texgraph::graph {
 
+// sampler2D, sampler2DArray or sampler3D, and what such a sampler takes: a vec2 or a vec3.
+constexpr ir::TypeId SamplerType(const Texture& texture) {
+  return texture.is_3d ? ir::kSampler3D : texture.is_array ? ir::kSampler2DArray : ir::kSampler2D;
+}
+constexpr ir::TypeId CoordinateType(const Texture& texture) {
+  return texture.is_3d || texture.is_array ? ir::kVec3 : ir::kVec2;
+}
+
 // Indexes into the vectors of CheckedGraph or CheckedSubgraph.
 struct NodeOutput {
   uint32_t node;    // in the same subgraph
@@ -71,8 +79,8 @@ struct FieldOfConstant {  // already of the field's result type
 
 using Source =
     std::variant<ConstantValue, NodeOutput, ParameterRef, BuiltinRef, FunctionInputRef, TextureRef,
-                 ComputedValue, FieldOfTexture, FieldOfFunction, FieldOfNode, FieldOfParameter, FieldOfBuiltin,
-                 FieldOfFunctionInput, FieldOfConstant>;
+                 ComputedValue, FieldOfTexture, FieldOfFunction, FieldOfNode, FieldOfParameter,
+                 FieldOfBuiltin, FieldOfFunctionInput, FieldOfConstant>;
 
 struct BoundPort {
   Source source;

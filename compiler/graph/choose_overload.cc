@@ -137,8 +137,7 @@ std::optional<int> SubgraphChecker::PortCost(const Port& port, const Argument& a
   }
   if (port.kind == blocks::PortKind::kTexture) {
     if (resolved.symbol.kind != Kind::kTexture) return std::nullopt;
-    bool is_array = check_.graph.textures[resolved.symbol.index].is_array;
-    bool fits = port.type == (is_array ? ir::kSampler2DArray : ir::kSampler2D);
+    bool fits = port.type == SamplerType(check_.graph.textures[resolved.symbol.index]);
     return fits ? std::optional<int>(0) : std::nullopt;
   }
   if (port.kind == blocks::PortKind::kTemplate && !IsConstantParameter(resolved)) return 0;

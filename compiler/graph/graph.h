@@ -15,6 +15,7 @@
 #include "compiler/base/diagnostics.h"
 #include "compiler/base/source.h"
 #include "compiler/graph/document.h"
+#include "compiler/graph/texture.h"
 
 namespace texgraph::graph {
 
@@ -105,54 +106,6 @@ struct Parameter {
   std::string_view label, help, unit;
 };
 
-enum class ColorSpace : uint8_t { kSrgb, kLinear };  // "srgb"; "linear" (also "data")
-enum class TextureFilter : uint8_t { kLinear, kNearest };
-enum class TextureWrap : uint8_t { kRepeat, kClamp, kMirror };
-
-enum class MaskChannel : uint8_t { kRed, kGreen, kBlue, kAlpha };
-
-struct Mask {  // "mask.png", or { "file": "mask.png", "channel": "red", "invert": false }
-  std::string_view file;
-  SourceRange range;
-  MaskChannel channel = MaskChannel::kRed;
-  bool invert = false;
-  bool operator==(const Mask& other) const {
-    return file == other.file && channel == other.channel && invert == other.invert;
-  }
-};
-
-// "key": what textures::ColorKey is.
-struct ColorKey {
-  std::array<double, 3> color{};
-  double tolerance = 0.05;
-  int edge = 2;
-  bool operator==(const ColorKey&) const = default;
-};
-
-struct Texture {
-  std::string_view name;
-  SourceRange range;
-  std::vector<std::string_view> files;  // one, or the layers of an array texture
-  std::vector<SourceRange> file_ranges;
-  bool is_array = false;    // "layers": [...] instead of "file"
-  std::vector<Mask> masks;  // none, one for all layers, or one for each
-  std::optional<ColorKey> key;
-  ColorSpace color_space = ColorSpace::kSrgb;
-  bool alpha_is_opacity = true;  // "alpha": "opacity" or "data"
-  TextureFilter filter = TextureFilter::kLinear;
-  TextureWrap wrap_u = TextureWrap::kRepeat, wrap_v = TextureWrap::kRepeat;
-  bool mipmaps = true;
-  std::optional<int> max_level;  // "max_level": the coarsest mip level that may be used
-
-  // Its pictures get another alpha channel before they are uploaded.
-  bool IsPrepared() const { return !masks.empty() || key.has_value(); }
-  // The mask of a layer; null if there is none.
-  const Mask* MaskOf(size_t layer) const {
-    if (masks.empty()) return nullptr;
-    return &masks[masks.size() == 1 ? 0 : layer];
-  }
-};
-
 struct FunctionInput {  // of a graph function: "scale": { "type": "float", "value": 1 } or "scale":
                         // "float"
   std::string_view name;
@@ -196,9 +149,25 @@ inline constexpr BuiltinOutput kBuiltinOutputs[] = {
     {"height", "float"}, {"emission", "vec3"}, {"opacity", "float"},
 };
 
-// The first texture of the graph with the same files, colour space and sampler state as texture
-// `index`, perhaps itself. Equal textures share one sampler in the shader.
+// The first texture of the graph with the same texels and sampler state as texture `index`, perhaps
+// itself. Equal textures share one sampler in the shader.
 uint32_t FirstEqualTexture(const Graph& graph, uint32_t index);
+
+// The texture with the patterns that the numbers of texture `index` lead to: itself if it has
+// patterns, else by way of "of" and "means"; nothing if they lead to none.
+std::optional<uint32_t> PatternsOf(const Graph& graph, uint32_t index);
+
+// What a map's, lists' or sprites' numbers may be: 0 to count - 1, or -1. Nothing if it has no
+// "of".
+struct Reach {
+  std::string_view things;  // "patterns", "lists"
+  std::string_view name;    // of the texture that has them
+  SourceRange range;
+  uint32_t count = 0;
+};
+std::optional<Reach> ReachOf(const Graph& graph, const Texture& texture);
+// "'mix' has 2 lists, 0 to 1; 7 is none of them"
+std::string BeyondReach(const Reach& reach, int64_t number);
 
 // Reads a document as a graph. Shape mistakes (unknown, missing and wrong keys, bad names, bad
 // literals) are all reported; nothing is returned if there was any.

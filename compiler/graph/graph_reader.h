@@ -13,10 +13,42 @@
 #include <utility>
 #include <vector>
 
+#include "compiler/base/name_map.h"
 #include "compiler/graph/document.h"
 #include "compiler/graph/graph.h"
 
 namespace texgraph::graph {
+
+// The keys of a texture, in the order of read_textures.cc.
+enum class TextureKey : uint8_t {
+  kFile,
+  kLayers,
+  kSheet,
+  kMap,
+  kLists,
+  kSprites,
+  kMeans,
+  kMask,
+  kKey,
+  kColorSpace,
+  kAlpha,
+  kFilter,
+  kWrap,
+  kWrapU,
+  kWrapV,
+  kMipmaps,
+  kMaxLevel,
+  kGrid,
+  kPack,
+  kEdges,
+  kWeights,
+  kLegend,
+  kOf,
+  kBinding,
+  kCells,
+  kDithered,
+};
+inline constexpr size_t kTextureKeyCount = 26;
 
 inline constexpr size_t kMaxNodes = 1'000'000;  // of a graph, those of its functions included
 
@@ -73,15 +105,47 @@ class GraphReader {
 
   void ReadVersion(const DocumentNode& root, const DocumentNode* version);
   void ReadName(const DocumentNode* name, std::string_view file_name);
+  // read_textures.cc: the section, the kinds, and the sampler's state.
+  using TextureKeys = std::array<const DocumentNode*, kTextureKeyCount>;
   void ReadTextures(const DocumentNode* section);
   void ReadTexture(const DocumentNode& node);
-  void ReadFiles(const DocumentNode& node, const DocumentNode* file, const DocumentNode* layers,
-                 Texture& texture);
+  bool ReadTextureKind(const DocumentNode& node, Owner owner, TextureKeys& keys, Texture& texture);
+  void CheckTextureKeys(const TextureKeys& keys, Owner owner, const Texture& texture);
+  void ReadSampling(const TextureKeys& keys, Owner owner, Texture& texture);
+  // read_patterns.cc
+  void ReadLayers(const DocumentNode& layers, Owner owner, Texture& texture);
+  void ReadPatterns(const DocumentNode& node, const TextureKeys& keys, Owner owner,
+                    Texture& texture);
+  void ReadGrid(const DocumentNode& node, const TextureKeys& keys, Owner owner, Texture& texture);
   void ReadFile(const DocumentNode& node, Owner owner, Texture& texture);
   bool ReadPath(const DocumentNode* node, Owner owner, std::string_view& path);
   void ReadMasks(const DocumentNode& node, Owner owner, Texture& texture);
   void ReadMask(const DocumentNode& node, Owner owner, Texture& texture);
   void ReadKey(const DocumentNode& node, Owner owner, Texture& texture);
+  // read_maps.cc
+  void ReadMap(const TextureKeys& keys, Owner owner, Texture& texture);
+  void ReadMapRows(const DocumentNode& rows, Owner owner, Texture& texture);
+  void ReadLegend(const DocumentNode& node, Owner owner, Texture& texture);
+  void ReadLists(const TextureKeys& keys, Owner owner, Texture& texture);
+  void ReadBinding(const TextureKeys& keys, Owner owner, Texture& texture);
+  bool ReadNumbers(const DocumentNode& row, std::string_view what, std::vector<int32_t>& numbers);
+  bool ReadSides(const DocumentNode* node, Owner owner, uint32_t greatest,
+                 std::array<uint32_t, 2>& sides);
+  // read_sprites.cc
+  void ReadSprites(const DocumentNode& node, const TextureKeys& keys, Owner owner,
+                   Texture& texture);
+  bool ReadSprite(const DocumentNode& node, Owner owner, const SpriteMap& map, Sprite& sprite);
+  void CountLayers(std::optional<uint32_t> limit, SourceRange cells, SpriteMap& map);
+  // resolve_textures.cc: what textures say of each other.
+  void ResolveTextures();
+  std::optional<uint32_t> FindTexture(const DocumentNode& node, Owner owner);
+  bool KnownKind(uint32_t index) const;
+  void ResolveOf(uint32_t index);
+  void ResolveWeights(uint32_t index);
+  void ReadWeights(const DocumentNode& node, Owner owner, Texture& texture);
+  void CountWeights(const DocumentNode& node, Owner owner, uint32_t index);
+  void CheckNumbers(uint32_t index);
+  void CheckMeans(uint32_t index);
   void ReadParameters(const DocumentNode* section);
   void ReadParameter(const DocumentNode& node);
   void ReadRange(const DocumentNode* node, Owner owner, Parameter& parameter);
@@ -96,6 +160,8 @@ class GraphReader {
   const Document& document_;
   Diagnostics& diagnostics_;
   size_t node_count_ = 0;
+  std::vector<TextureKeys> texture_keys_;  // of each texture; none if it has no known kind
+  NameMap<uint32_t> texture_names_;
 };
 
 }  // namespace texgraph::graph

@@ -1,21 +1,50 @@
 // SPDX-License-Identifier: Apache-2.0
-// The section "textures".
+// The section "textures": which keys a texture has, and how it is sampled.
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "compiler/base/text.h"
 #include "compiler/graph/graph_reader.h"
 #include "compiler/graph/names.h"
 
 namespace texgraph::graph {
 namespace {
 
-constexpr int kMaxKeyEdge = 64;  // in texels
-constexpr int kMaxLevel = 30;    // of a mip chain; no texture has more
+constexpr int kCoarsestLevel = 30;  // of a mip chain; no texture has more
 
-bool HasControlCharacter(std::string_view text) {
-  return std::ranges::any_of(text,
-                             [](char c) { return static_cast<uint8_t>(c) < 0x20 || c == 0x7f; });
+using Key = TextureKey;
+
+constexpr size_t kKindCount = 7;  // the first keys are those of the kinds, in TextureKind's order
+
+constexpr std::array<std::string_view, kTextureKeyCount> kTextureKeys = {
+    "file",   "layers",  "sheet",       "map",   "lists",   "sprites", "means",
+    "mask",   "key",     "color_space", "alpha", "filter",  "wrap",    "wrap_u",
+    "wrap_v", "mipmaps", "max_level",   "grid",  "pack",    "edges",   "weights",
+    "legend", "of",      "binding",     "cells", "dithered"};
+
+constexpr uint32_t Bit(TextureKey key) { return 1u << static_cast<uint32_t>(key); }
+
+constexpr uint32_t kSamplingKeys = Bit(Key::kMask) | Bit(Key::kKey) | Bit(Key::kColorSpace) |
+                                   Bit(Key::kAlpha) | Bit(Key::kFilter) | Bit(Key::kWrap) |
+                                   Bit(Key::kWrapU) | Bit(Key::kWrapV) | Bit(Key::kMipmaps) |
+                                   Bit(Key::kMaxLevel);
+constexpr uint32_t kPatternKeys =
+    kSamplingKeys | Bit(Key::kGrid) | Bit(Key::kPack) | Bit(Key::kEdges) | Bit(Key::kWeights);
+
+// What a texture of each kind may have.
+constexpr std::array<uint32_t, kKindCount> kKeysOfKind = {
+    Bit(Key::kFile) | kSamplingKeys,
+    Bit(Key::kLayers) | kPatternKeys,
+    Bit(Key::kSheet) | kPatternKeys,
+    Bit(Key::kMap) | Bit(Key::kLegend) | Bit(Key::kOf) | Bit(Key::kBinding),
+    Bit(Key::kLists) | Bit(Key::kOf) | Bit(Key::kBinding),
+    Bit(Key::kSprites) | Bit(Key::kCells) | Bit(Key::kLayers) | Bit(Key::kOf),
+    Bit(Key::kMeans) | Bit(Key::kDithered)};
+
+const DocumentNode* At(const std::array<const DocumentNode*, kTextureKeyCount>& keys,
+                       TextureKey key) {
+  return keys[static_cast<size_t>(key)];
 }
 
 }  // namespace
@@ -23,161 +52,145 @@ bool HasControlCharacter(std::string_view text) {
 void GraphReader::ReadTextures(const DocumentNode* section) {
   if (!Is(section, DocumentKind::kObject, {"the graph", ""})) return;
   graph_.textures.reserve(section->child_count);
+  texture_keys_.reserve(section->child_count);
   for (const DocumentNode& child : document_.children(*section)) ReadTexture(child);
+  ResolveTextures();
 }
 
 void GraphReader::ReadTexture(const DocumentNode& node) {
   CheckName(node.key, node.key_range, diagnostics_);
-  Owner owner{"texture", node.key};
+  const Owner owner{"texture", node.key};
   Texture texture;
   texture.name = node.key;
   texture.range = node.key_range;
+  TextureKeys keys{};
   if (Is(&node, DocumentKind::kObject, owner)) {
-    constexpr std::array<std::string_view, 12> kKeys = {
-        "file",   "layers", "mask",   "key",    "color_space", "alpha",
-        "filter", "wrap",   "wrap_u", "wrap_v", "mipmaps",     "max_level"};
-    auto [file, layers, mask, key, space, alpha, filter, wrap, wrap_u, wrap_v, mipmaps, level] =
-        Keys(node, owner, kKeys);
-    ReadFiles(node, file, layers, texture);
-    if (mask) ReadMasks(*mask, owner, texture);
-    if (key) ReadKey(*key, owner, texture);
-    ReadWord<ColorSpace>(space, owner,
-                         {{"srgb", ColorSpace::kSrgb},
-                          {"linear", ColorSpace::kLinear},
-                          {"data", ColorSpace::kLinear}},
-                         texture.color_space);
-    texture.alpha_is_opacity = texture.IsPrepared() || texture.color_space == ColorSpace::kSrgb;
-    ReadWord<bool>(alpha, owner, {{"opacity", true}, {"data", false}}, texture.alpha_is_opacity);
-    ReadWord<TextureFilter>(
-        filter, owner, {{"linear", TextureFilter::kLinear}, {"nearest", TextureFilter::kNearest}},
-        texture.filter);
-    for (auto [key, both] : {std::pair(wrap, true), {wrap_u, false}, {wrap_v, false}}) {
-      TextureWrap& out = key == wrap_v ? texture.wrap_v : texture.wrap_u;
-      if (!key) continue;
-      ReadWord<TextureWrap>(key, owner,
-                            {{"repeat", TextureWrap::kRepeat},
-                             {"clamp", TextureWrap::kClamp},
-                             {"mirror", TextureWrap::kMirror}},
-                            out);
-      if (both) texture.wrap_v = texture.wrap_u;
-    }
-    ReadBool(mipmaps, owner, texture.mipmaps);
-    if (Is(level, DocumentKind::kNumber, owner)) {
-      if (!level->is_integer || level->integer < 0 || level->integer > kMaxLevel) {
-        BadValue(*level, fmt::format("'max_level' is a whole number from 0 to {}", kMaxLevel));
-      } else {
-        texture.max_level = static_cast<int>(level->integer);
+    keys = Keys(node, owner, kTextureKeys);
+    if (ReadTextureKind(node, owner, keys, texture)) {
+      CheckTextureKeys(keys, owner, texture);
+      if (texture.IsMap()) texture.color_space = ColorSpace::kLinear;
+      switch (texture.kind) {
+        case TextureKind::kFile:
+          ReadFile(*At(keys, Key::kFile), owner, texture);
+          break;
+        case TextureKind::kLayers:
+          ReadLayers(*At(keys, Key::kLayers), owner, texture);
+          ReadPatterns(node, keys, owner, texture);
+          break;
+        case TextureKind::kSheet:
+          ReadFile(*At(keys, Key::kSheet), owner, texture);
+          ReadPatterns(node, keys, owner, texture);
+          break;
+        case TextureKind::kMap:
+          ReadMap(keys, owner, texture);
+          break;
+        case TextureKind::kLists:
+          ReadLists(keys, owner, texture);
+          break;
+        case TextureKind::kSprites:
+          ReadSprites(node, keys, owner, texture);
+          break;
+        case TextureKind::kMeans:
+          ReadBool(At(keys, Key::kDithered), owner, texture.dithered);
+          break;
       }
+      ReadSampling(keys, owner, texture);
     }
   }
   graph_.textures.push_back(std::move(texture));
+  texture_keys_.push_back(keys);
 }
 
-void GraphReader::ReadFiles(const DocumentNode& node, const DocumentNode* file,
-                            const DocumentNode* layers, Texture& texture) {
-  Owner owner{"texture", node.key};
-  if (!file && !layers) return ReportMissing(node, owner, "file");
-  if (file && layers) {
-    diagnostics_
-        .Error(DiagnosticKind::kGraphShape, layers->key_range,
-               fmt::format("texture '{}' has 'file' and 'layers'; it takes one of them",
-                           Printable(node.key)))
-        .AddNote(file->key_range, "'file' is here");
-    return;
+// Exactly one of the keys says what a texture is made of; the "layers" of sprites are a number.
+bool GraphReader::ReadTextureKind(const DocumentNode& node, Owner owner, TextureKeys& keys,
+                                  Texture& texture) {
+  std::optional<size_t> kind;
+  const bool has_sprites = At(keys, Key::kSprites) != nullptr;
+  for (size_t i = 0; i < kKindCount; ++i) {
+    if (!keys[i] || (has_sprites && i == static_cast<size_t>(Key::kLayers))) continue;
+    if (kind) {
+      diagnostics_
+          .Error(DiagnosticKind::kGraphShape, keys[i]->key_range,
+                 fmt::format("{} has '{}' and '{}'; it takes one of them", owner.Text(),
+                             keys[*kind]->key, keys[i]->key))
+          .AddNote(keys[*kind]->key_range, fmt::format("'{}' is here", keys[*kind]->key));
+      keys = {};  // nothing is known of the texture
+      return false;
+    }
+    kind = i;
   }
-  if (file) return ReadFile(*file, owner, texture);
-  texture.is_array = true;
-  if (!Is(layers, DocumentKind::kArray, owner)) return;
-  if (layers->child_count == 0) BadValue(*layers, "'layers' names at least one file");
-  for (const DocumentNode& child : document_.children(*layers)) ReadFile(child, owner, texture);
-}
-
-void GraphReader::ReadFile(const DocumentNode& node, Owner owner, Texture& texture) {
-  std::string_view path;
-  if (!ReadPath(&node, owner, path)) return;
-  texture.files.push_back(path);
-  texture.file_ranges.push_back(node.range);
-}
-
-bool GraphReader::ReadPath(const DocumentNode* node, Owner owner, std::string_view& path) {
-  if (!ReadText(node, owner, path)) return false;
-  if (path.empty()) {
-    BadValue(*node, "the file's name is empty");
-  } else if (HasControlCharacter(path)) {
-    BadValue(*node, "the file's name has control characters");
-  } else {
+  if (kind) {
+    texture.kind = static_cast<TextureKind>(*kind);
     return true;
   }
+  diagnostics_.Error(
+      DiagnosticKind::kMissingKey, node.key_range,
+      fmt::format("{} needs one of the keys {}", owner.Text(),
+                  ListedQuoted(std::span(kTextureKeys).first<kKindCount>(), " or ")));
+  keys = {};
   return false;
 }
 
-// A mask for all layers, or a list of one for each.
-void GraphReader::ReadMasks(const DocumentNode& node, Owner owner, Texture& texture) {
-  if (node.kind != DocumentKind::kArray) return ReadMask(node, owner, texture);
-  if (!texture.is_array) {
-    return BadValue(node,
-                    "a list of masks belongs to 'layers'; a texture of one file has one mask");
+// Keys that other kinds of textures have.
+void GraphReader::CheckTextureKeys(const TextureKeys& keys, Owner owner, const Texture& texture) {
+  const auto kind = static_cast<size_t>(texture.kind);
+  for (size_t i = 0; i < kTextureKeyCount; ++i) {
+    if (!keys[i] || (kKeysOfKind[kind] >> i & 1)) continue;
+    std::vector<std::string_view> others;
+    for (size_t k = 0; k < kTextureKeyCount; ++k) {
+      if (k != kind && (kKeysOfKind[kind] >> k & 1)) others.push_back(kTextureKeys[k]);
+    }
+    diagnostics_.Error(
+        DiagnosticKind::kUnknownKey, keys[i]->key_range,
+        fmt::format("{} with '{}' has no key '{}'; it may have {}", owner.Text(),
+                    kTextureKeys[kind], kTextureKeys[i], ListedQuoted(others, " and ")));
   }
-  if (node.child_count != texture.files.size()) {
-    return BadValue(node, fmt::format("there are {} masks for {} layers; give one for each, or one "
-                                      "without a list for all of them",
-                                      node.child_count, texture.files.size()));
-  }
-  for (const DocumentNode& child : document_.children(node)) ReadMask(child, owner, texture);
 }
 
-void GraphReader::ReadMask(const DocumentNode& node, Owner owner, Texture& texture) {
-  Mask mask;
-  mask.range = node.range;
-  const DocumentNode* file = &node;
-  if (node.kind == DocumentKind::kObject) {
-    constexpr std::array<std::string_view, 3> kKeys = {"file", "channel", "invert"};
-    Owner part{"the mask of texture", owner.name};
-    auto [path, channel, invert] = Keys(node, part, kKeys);
-    if (!path) return ReportMissing(node, part, "file");
-    ReadWord<MaskChannel>(channel, part,
-                          {{"red", MaskChannel::kRed},
-                           {"green", MaskChannel::kGreen},
-                           {"blue", MaskChannel::kBlue},
-                           {"alpha", MaskChannel::kAlpha}},
-                          mask.channel);
-    ReadBool(invert, part, mask.invert);
-    mask.range = path->range;
-    file = path;
+void GraphReader::ReadSampling(const TextureKeys& keys, Owner owner, Texture& texture) {
+  if (texture.IsMap()) {
+    texture.filter = TextureFilter::kNearest;
+    texture.mipmaps = false;
+    texture.alpha_is_opacity = false;
+    return;
   }
-  if (ReadPath(file, owner, mask.file)) texture.masks.push_back(mask);
-}
-
-void GraphReader::ReadKey(const DocumentNode& node, Owner owner, Texture& texture) {
-  ColorKey& key = texture.key.emplace();
-  if (!Is(&node, DocumentKind::kObject, owner)) return;
-  constexpr std::array<std::string_view, 3> kKeys = {"color", "tolerance", "edge"};
-  Owner part{"the key of texture", owner.name};
-  auto [color, tolerance, edge] = Keys(node, part, kKeys);
-  if (Is(color, DocumentKind::kArray, part)) {
-    size_t count = 0;
-    for (const DocumentNode& child : document_.children(*color)) {
-      const bool good =
-          child.kind == DocumentKind::kNumber && child.number >= 0 && child.number <= 1;
-      if (good && count < key.color.size()) key.color[count] = child.number;
-      count += good ? 1 : key.color.size() + 1;
-    }
-    if (count != key.color.size()) {
-      BadValue(*color, "a key's 'color' is red, green and blue, each from 0 to 1");
-    }
+  if (texture.kind == TextureKind::kMeans) {
+    texture.color_space = ColorSpace::kLinear;
+    return;
   }
-  if (Is(tolerance, DocumentKind::kNumber, part)) {
-    key.tolerance = tolerance->number;
-    if (!(key.tolerance >= 0 && key.tolerance < 1)) {
-      BadValue(*tolerance, "'tolerance' is a number from 0 up to, but not, 1");
-    }
+  if (At(keys, Key::kMask)) ReadMasks(*At(keys, Key::kMask), owner, texture);
+  if (At(keys, Key::kKey)) ReadKey(*At(keys, Key::kKey), owner, texture);
+  ReadWord<ColorSpace>(
+      At(keys, Key::kColorSpace), owner,
+      {{"srgb", ColorSpace::kSrgb}, {"linear", ColorSpace::kLinear}, {"data", ColorSpace::kLinear}},
+      texture.color_space);
+  texture.alpha_is_opacity =
+      !texture.masks.empty() || texture.key.has_value() || texture.color_space == ColorSpace::kSrgb;
+  ReadWord<bool>(At(keys, Key::kAlpha), owner, {{"opacity", true}, {"data", false}},
+                 texture.alpha_is_opacity);
+  ReadWord<TextureFilter>(
+      At(keys, Key::kFilter), owner,
+      {{"linear", TextureFilter::kLinear}, {"nearest", TextureFilter::kNearest}}, texture.filter);
+  for (TextureKey key : {Key::kWrap, Key::kWrapU, Key::kWrapV}) {
+    TextureWrap& out = key == Key::kWrapV ? texture.wrap_v : texture.wrap_u;
+    if (!At(keys, key)) continue;
+    ReadWord<TextureWrap>(At(keys, key), owner,
+                          {{"repeat", TextureWrap::kRepeat},
+                           {"clamp", TextureWrap::kClamp},
+                           {"mirror", TextureWrap::kMirror}},
+                          out);
+    if (key == Key::kWrap) texture.wrap_v = texture.wrap_u;
   }
-  if (Is(edge, DocumentKind::kNumber, part)) {
-    if (!edge->is_integer || edge->integer < 0 || edge->integer > kMaxKeyEdge) {
-      BadValue(*edge, fmt::format("'edge' is a whole number of texels from 0 to {}", kMaxKeyEdge));
-    } else {
-      key.edge = static_cast<int>(edge->integer);
-    }
+  ReadBool(At(keys, Key::kMipmaps), owner, texture.mipmaps);
+  if (!texture.mipmaps && At(keys, Key::kWeights)) {
+    BadValue(*At(keys, Key::kMipmaps), "the weights of patterns are in their mip levels");
+  }
+  const DocumentNode* level = At(keys, Key::kMaxLevel);
+  if (!Is(level, DocumentKind::kNumber, owner)) return;
+  if (!level->is_integer || level->integer < 0 || level->integer > kCoarsestLevel) {
+    BadValue(*level, fmt::format("'max_level' is a whole number from 0 to {}", kCoarsestLevel));
+  } else {
+    texture.max_level = static_cast<int>(level->integer);
   }
 }
 

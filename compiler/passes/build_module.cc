@@ -436,6 +436,17 @@ std::vector<ValueId> Scope::CallGraphFunction(uint32_t function, std::vector<Val
 // --- Program
 // -----------------------------------------------------------------------------------------------------
 
+// What the compiler knows of a texture of numbers.
+std::optional<ir::MapFacts> FactsOf(const graph::Texture& texture) {
+  if (!texture.IsMap()) return std::nullopt;
+  if (texture.kind == graph::TextureKind::kSprites) {
+    return ir::MapFacts{texture.sprites.columns, texture.sprites.rows, texture.sprites.layers, {}};
+  }
+  ir::MapFacts facts{texture.map.columns, texture.map.rows, 1, {}};
+  if (texture.is_constant) facts.values = texture.map.numbers;
+  return facts;
+}
+
 void Program::DeclareGlobals() {
   parameters_.resize(graph.parameters.size());
   textures_.resize(graph.graph->textures.size());
@@ -468,9 +479,10 @@ void Program::DeclareGlobals() {
     }
     textures_[i] = module.AddGlobal({ir::GlobalKind::kTexture,
                                      std::string(texture.name),
-                                     texture.is_array ? ir::kSampler2DArray : ir::kSampler2D,
+                                     graph::SamplerType(texture),
                                      {},
-                                     texture.filter == graph::TextureFilter::kLinear});
+                                     texture.filter == graph::TextureFilter::kLinear,
+                                     FactsOf(texture)});
   }
 }
 

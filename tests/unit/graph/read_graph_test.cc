@@ -208,7 +208,7 @@ TEST(ReadGraph, ReportsMistakesOfTextures) {
       {With("\"textures\": {\"t\": \"a.png\"}"),
        {"2:19 graph-shape"},
        "texture 't' must be an object, not text"},
-      {texture(""), {"3:1 missing-key"}, "texture 't' needs the key 'file'"},
+      {texture(""), {"3:1 missing-key"}, "texture 't' needs one of the keys 'file', 'layers'"},
       {texture(R"("file": "a", "layers": ["b"])"),
        {"3:20 graph-shape (3:7)"},
        "'file' and 'layers'"},

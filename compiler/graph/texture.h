@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+// The section "textures" of a graph: pictures, patterns that are packed together, and maps of whole
+// numbers. What a texture says of others ("of", "weights", "means") is resolved and checked; what
+// stands in files is not looked at, except that a map's picture is decoded later
+// (compiler/prepare).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "compiler/base/diagnostics.h"
+#include "compiler/base/source.h"
+
+namespace texgraph::graph {
+
+enum class ColorSpace : uint8_t { kSrgb, kLinear };  // "srgb"; "linear" (also "data")
+enum class TextureFilter : uint8_t { kLinear, kNearest };
+enum class TextureWrap : uint8_t { kRepeat, kClamp, kMirror };
+
+enum class MaskChannel : uint8_t { kRed, kGreen, kBlue, kAlpha };
+
+struct Mask {  // "mask.png", or { "file": "mask.png", "channel": "red", "invert": false }
+  std::string_view file;
+  SourceRange range;
+  MaskChannel channel = MaskChannel::kRed;
+  bool invert = false;
+  bool operator==(const Mask& other) const {
+    return file == other.file && channel == other.channel && invert == other.invert;
+  }
+};
+
+// "key": what textures::ColorKey is.
+struct ColorKey {
+  std::array<double, 3> color{};
+  double tolerance = 0.05;
+  int edge = 2;
+  bool operator==(const ColorKey&) const = default;
+};
+
+// By the key that says what it is made of.
+enum class TextureKind : uint8_t { kFile, kLayers, kSheet, kMap, kLists, kSprites, kMeans };
+
+// "pack": how the patterns of layers or a sheet lie in one texture.
+enum class TexturePack : uint8_t { kArray, kAtlas, kVolume };
+
+// Whole numbers in rows; row 0 is v = 0. -1 is nothing.
+struct NumberMap {
+  uint32_t columns = 0;
+  uint32_t rows = 0;
+  std::vector<int32_t> numbers;  // columns * rows; none while a picture is not decoded
+  bool operator==(const NumberMap&) const = default;
+};
+
+struct LegendColor {  // "#3a7d2c"
+  std::array<uint8_t, 3> rgb{};
+  bool operator==(const LegendColor&) const = default;
+};
+
+struct Sprite {
+  int32_t pattern = 0;
+  std::array<double, 2> at{};  // its left lower corner, in cells
+  bool operator==(const Sprite&) const = default;
+};
+
+struct SpriteMap {
+  uint32_t columns = 0;
+  uint32_t rows = 0;
+  uint32_t layers = 0;          // at least as many as there are sprites in a cell
+  std::vector<Sprite> sprites;  // later ones lie on top
+  std::vector<SourceRange> ranges;
+  bool operator==(const SpriteMap& other) const {
+    return columns == other.columns && rows == other.rows && layers == other.layers &&
+           sprites == other.sprites;
+  }
+};
+
+// Of maps and lists; with more numbers they cannot be constant.
+inline constexpr size_t kMaxConstantNumbers = 4096;
+inline constexpr uint32_t kMaxMapSide = 16384;
+inline constexpr uint64_t kMaxMapNumbers = uint64_t{1} << 26;
+inline constexpr uint64_t kMaxSpriteTexels = uint64_t{1} << 24;  // of 16 bytes
+inline constexpr uint32_t kMaxSpriteLayers = 64;
+inline constexpr uint32_t kMaxGridSide = 1024;
+inline constexpr double kMaxWeight = 1e9;
+inline constexpr int32_t kMaxMapNumber = 1 << 24;  // floats hold whole numbers up to here
+
+struct Texture {
+  std::string_view name;
+  SourceRange range;
+  TextureKind kind = TextureKind::kFile;
+  // One, the layers, the sheet, or the picture of a map; none for what stands in the graph.
+  std::vector<std::string_view> files;
+  std::vector<SourceRange> file_ranges;
+  bool is_array = false;    // sampled as a sampler2DArray
+  bool is_3d = false;       // sampled as a sampler3D
+  std::vector<Mask> masks;  // none, one for all layers, or one for each
+  std::optional<ColorKey> key;
+  ColorSpace color_space = ColorSpace::kSrgb;
+  bool alpha_is_opacity = true;  // "alpha": "opacity" or "data"
+  TextureFilter filter = TextureFilter::kLinear;
+  TextureWrap wrap_u = TextureWrap::kRepeat, wrap_v = TextureWrap::kRepeat;
+  bool mipmaps = true;
+  std::optional<int> max_level;  // "max_level": the coarsest mip level that may be used
+
+  // Patterns: kLayers and kSheet.
+  TexturePack pack = TexturePack::kArray;
+  std::array<uint32_t, 2> grid = {1, 1};  // columns and rows of a sheet, and of an atlas
+  SourceRange grid_range;
+  bool match_edges = false;     // "edges": "match"
+  std::vector<double> weights;  // of each pattern in the coarsest mip levels; none: as they are
+
+  // What a map's, the lists' or the sprites' numbers count ("of"), or the map that means are of
+  // ("means"), as an index of the graph's textures.
+  std::optional<uint32_t> of;
+  NumberMap map;  // kMap, kLists
+  std::vector<LegendColor> legend;
+  SourceRange legend_range;
+  bool is_constant = false;  // "binding": "constant"
+  SourceRange binding_range;
+  SpriteMap sprites;      // kSprites
+  bool dithered = false;  // kMeans
+
+  bool IsMap() const {
+    return kind == TextureKind::kMap || kind == TextureKind::kLists ||
+           kind == TextureKind::kSprites;
+  }
+  bool HasPatterns() const { return kind == TextureKind::kLayers || kind == TextureKind::kSheet; }
+  uint32_t PatternCount() const {
+    return kind == TextureKind::kSheet ? grid[0] * grid[1] : static_cast<uint32_t>(files.size());
+  }
+  // Its texels are made by texgraph, all levels, and written as one file: no engine has to know
+  // how.
+  bool IsDerived() const {
+    return (kind != TextureKind::kFile && kind != TextureKind::kLayers) ||
+           pack != TexturePack::kArray || match_edges || !weights.empty();
+  }
+  // Its pictures get another alpha channel before they are uploaded; else it may be derived.
+  bool IsPrepared() const { return !IsDerived() && (!masks.empty() || key.has_value()); }
+  // The mask of a layer; null if there is none.
+  const Mask* MaskOf(size_t layer) const {
+    if (masks.empty()) return nullptr;
+    return &masks[masks.size() == 1 ? 0 : layer];
+  }
+};
+
+// False, with kSizeLimit, if there are too many numbers for a texture, or for constants if those
+// are asked for.
+bool CheckMapSize(uint32_t columns, uint32_t rows, const Texture& texture, SourceRange range,
+                  Diagnostics& diagnostics);
+
+}  // namespace texgraph::graph
