@@ -142,6 +142,7 @@ class GraphReader {
   bool KnownKind(uint32_t index) const;
   void ResolveOf(uint32_t index);
   void ResolveWeights(uint32_t index);
+  double ReadWeight(const DocumentNode& node);
   void ReadWeights(const DocumentNode& node, Owner owner, Texture& texture);
   void CountWeights(const DocumentNode& node, Owner owner, uint32_t index);
   void CheckNumbers(uint32_t index);

@@ -155,7 +155,7 @@ void GraphReader::ResolveOf(uint32_t index) {
       .AddNote(other.range, fmt::format("'{}' is here", other.name));
 }
 
-// Numbers, one for each pattern, or the lists that choose from the patterns.
+// Numbers, one for each pattern or one for all of them, or the lists that choose from the patterns.
 void GraphReader::ResolveWeights(uint32_t index) {
   Texture& texture = graph_.textures[index];
   const DocumentNode* node = texture_keys_[index][static_cast<size_t>(TextureKey::kWeights)];
@@ -164,13 +164,16 @@ void GraphReader::ResolveWeights(uint32_t index) {
   const Owner owner{"texture", texture.name};
   if (node->kind == DocumentKind::kArray) {
     ReadWeights(*node, owner, texture);
+  } else if (node->kind == DocumentKind::kNumber) {
+    const double weight = ReadWeight(*node);
+    if (weight >= 0) texture.weights.assign(count, weight);
   } else if (node->kind == DocumentKind::kString) {
     CountWeights(*node, owner, index);
   } else {
     diagnostics_.Error(
         DiagnosticKind::kGraphShape, node->range,
-        fmt::format("'weights' of {} must be numbers, one for each pattern, or the name of lists, "
-                    "not {}",
+        fmt::format("'weights' of {} must be numbers, one for each pattern or one for all, or the "
+                    "name of lists, not {}",
                     owner.Text(), graph::KindText(node->kind)));
   }
   if (texture.weights.empty()) return;
@@ -186,12 +189,19 @@ void GraphReader::ReadWeights(const DocumentNode& node, Owner owner, Texture& te
                                       node.child_count));
   }
   for (const DocumentNode& child : document_.children(node)) {
-    if (child.kind != DocumentKind::kNumber || !(child.number >= 0 && child.number <= kMaxWeight)) {
-      texture.weights.clear();
-      return BadValue(child, fmt::format("a weight is a number from 0 to {}", kMaxWeight));
-    }
-    texture.weights.push_back(child.number);
+    const double weight = ReadWeight(child);
+    if (weight < 0) return texture.weights.clear();
+    texture.weights.push_back(weight);
   }
+}
+
+// Below 0, and reported, if it is none.
+double GraphReader::ReadWeight(const DocumentNode& node) {
+  if (node.kind == DocumentKind::kNumber && node.number >= 0 && node.number <= kMaxWeight) {
+    return node.number;
+  }
+  BadValue(node, fmt::format("a weight is a number from 0 to {}", kMaxWeight));
+  return -1;
 }
 
 // A pattern's weight is how often the lists have it.

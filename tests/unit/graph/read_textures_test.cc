@@ -29,6 +29,7 @@ constexpr std::string_view kAll = R"({
   "mixed":     { "lists": [[0, 0, 1, 3], [2, 3], [1]], "of": "ground", "binding": "constant" },
   "ground":  { "layers": ["a.png", "b.png", "c.png", "d.png"], "edges": "match", "weights": "mixed" },
   "sheet":   { "sheet": "s.png", "grid": [4, 2], "weights": [1, 2, 0, 0, 0.5, 0, 0, 1] },
+  "even":    { "layers": ["a.png", "b.png", "c.png"], "weights": 2 },
   "atlas":   { "sheet": "s.png", "grid": [4, 2], "pack": "atlas" },
   "joined":  { "layers": ["a.png", "b.png", "c.png"], "pack": "atlas", "grid": [2, 2] },
   "tree":    { "layers": ["a.png", "b.png"], "pack": "volume", "wrap": "clamp" },
@@ -61,6 +62,7 @@ TEST(ReadTextures, ReadsPatterns) {
   EXPECT_THAT(sheet.grid, ElementsAre(4u, 2u));
   EXPECT_EQ(sheet.PatternCount(), 8u);
   EXPECT_THAT(sheet.weights, ElementsAre(1, 2, 0, 0, 0.5, 0, 0, 1));
+  EXPECT_THAT(Named(*read.graph, "even").weights, ElementsAre(2, 2, 2));
   const Texture& atlas = Named(*read.graph, "atlas");
   EXPECT_EQ(atlas.pack, TexturePack::kAtlas);
   EXPECT_FALSE(atlas.is_array || atlas.is_3d);
@@ -188,6 +190,8 @@ constexpr Mistake kMistakes[] = {
     {R"({ "g": { "layers": ["a.png", "b.png"], "weights": [0, 0] } })", "1:80 bad-value",
      "sum to nothing"},
     {R"({ "g": { "layers": ["a.png"], "weights": [-1] } })", "1:72 bad-value", "from 0"},
+    {R"({ "g": { "layers": ["a.png"], "weights": -1 } })", "1:71 bad-value", "from 0"},
+    {R"({ "g": { "layers": ["a.png"], "weights": 0 } })", "1:71 bad-value", "sum to nothing"},
     {R"({ "g": { "layers": ["a.png"], "weights": "l" }, "l": { "lists": [[-1]], "of": "g" } })",
      "1:71 bad-value", "sum to nothing"},
     {R"({ "g": { "layers": ["a.png"], "weights": "l" }, "l": { "lists": [[0]] } })",
