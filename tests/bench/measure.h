@@ -45,4 +45,18 @@ struct ChartEntry {
 // Each is compared with tests/bench/reference/chart.frag and with a plain tiled texture.
 std::vector<ChartEntry> MeasureChart(const std::string& root, const std::string& folder);
 
+// A graph of "Pattern Based Procedural Textures" beside the paper's table in section 6.
+struct PatternEntry {
+  std::string name;
+  int samples = 0, most_samples = 0, paper_samples = 0;
+  int computing = 0, most_computing = 0, paper_instructions = 0;  // see spirv_weight.h
+  // To one plain trilinear look-up in the same patterns, at the same size on the screen.
+  double to_plain = 0, most_to_plain = 0;  // 0: nothing is promised
+  // The slowest to the fastest of 2^8, 2^14 and 2^20 cells in each direction, of equal size on the
+  // screen.
+  double over_sizes = 0;
+  std::string error;
+};
+std::vector<PatternEntry> MeasurePatterns(const std::string& root);
+
 }  // namespace texgraph::bench

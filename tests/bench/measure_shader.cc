@@ -8,13 +8,13 @@
 #include <cstdlib>
 #include <optional>
 #include <span>
-#include <spirv-tools/optimizer.hpp>
 #include <vector>
 
 #include "compiler/base/files.h"
 #include "compiler/compile.h"
 #include "compiler/spirv/compile_spirv.h"
 #include "runtime/render.h"
+#include "tests/bench/spirv_weight.h"
 
 namespace texgraph::bench {
 namespace {
@@ -25,101 +25,58 @@ constexpr int kFrames = 4;
 // some.
 constexpr int kQuietRounds = 12, kMaxRounds = 60;
 
-// SPIR-V opcodes by number, so that no header of another version is needed.
-constexpr uint32_t kOpFunction = 54, kOpFunctionEnd = 56, kOpVariable = 59, kOpLabel = 248;
-constexpr uint32_t kOpImageSampleFirst = 87, kOpImageSampleLast = 94, kOpImageFetch = 95;
-
-struct Weight {
-  int instructions = 0;
-  int samples = 0;
-};
-
-std::optional<Weight> WeightOf(const std::vector<uint32_t>& words) {
-  spvtools::Optimizer optimizer(SPV_ENV_OPENGL_4_5);
-  optimizer.RegisterPerformancePasses();
-  std::vector<uint32_t> optimized;
-  if (!optimizer.Run(words.data(), words.size(), &optimized)) return std::nullopt;
-  Weight weight;
-  bool in_function = false;
-  for (size_t at = 5; at < optimized.size(); at += optimized[at] >> 16) {
-    uint32_t op = optimized[at] & 0xffff;
-    if (op == kOpFunction) in_function = true;
-    if (in_function && op != kOpFunction && op != kOpFunctionEnd && op != kOpLabel &&
-        op != kOpVariable) {
-      ++weight.instructions;
-    }
-    if ((op >= kOpImageSampleFirst && op <= kOpImageSampleLast) || op == kOpImageFetch)
-      ++weight.samples;
-  }
-  return weight;
-}
-
 double MeanDifference(const textures::Image& a, const textures::Image& b) {
   double sum = 0;
   for (size_t i = 0; i < a.pixels.size(); ++i) sum += std::abs(int(a.pixels[i]) - int(b.pixels[i]));
   return sum / static_cast<double>(a.pixels.size());
 }
 
-// Draws the shaders in turns, so that a machine that slows down slows all of them.
-void Draw(runtime::RenderRequest request, std::span<const std::string> shaders, int quiet_rounds,
-          ShaderFigures& figures) {
-  request.width = request.height = kSide;
-  request.timed_frames = kFrames;
-  std::vector<textures::Image> pictures(shaders.size());
-  std::fill_n(figures.frame_ms, shaders.size(), 1e9);
+}  // namespace
+
+Drawn DrawInTurns(std::vector<runtime::RenderRequest> requests, int quiet_rounds) {
+  Drawn drawn;
+  drawn.frame_ms.assign(requests.size(), 1e9);
+  drawn.pictures.resize(requests.size());
   int quiet = 0;
   for (int round = 0; round < kMaxRounds && quiet < quiet_rounds; ++round) {
     ++quiet;
-    for (size_t which = 0; which < shaders.size(); ++which) {
-      request.shader = shaders[which];
-      runtime::RenderResult result = runtime::Render(request);
+    for (size_t which = 0; which < requests.size(); ++which) {
+      requests[which].timed_frames = kFrames;
+      runtime::RenderResult result = runtime::Render(requests[which]);
       if (!result.ok()) {
-        figures.error = result.diagnostics.all().front().message + "\n" + result.driver_log;
-        return;
+        drawn.error = result.diagnostics.all().front().message + "\n" + result.driver_log;
+        return drawn;
       }
-      figures.renderer = result.context;
+      drawn.renderer = result.context;
       for (double seconds : result.frame_seconds) {
-        if (1000 * seconds < 0.99 * figures.frame_ms[which]) quiet = 0;
-        figures.frame_ms[which] = std::min(figures.frame_ms[which], 1000 * seconds);
+        if (1000 * seconds < 0.99 * drawn.frame_ms[which]) quiet = 0;
+        drawn.frame_ms[which] = std::min(drawn.frame_ms[which], 1000 * seconds);
       }
-      pictures[which] = result.outputs[0].image;
+      drawn.pictures[which] = result.outputs[0].image;
     }
   }
-  figures.difference = MeanDifference(pictures[0], pictures[1]);
+  return drawn;
 }
 
-}  // namespace
-
-ShaderFigures CompareShaders(const std::string& path, std::string_view text,
-                             std::span<const std::string> others, int quiet_rounds) {
-  ShaderFigures figures;
+Drawable Prepare(const std::string& path, std::string_view text,
+                 const std::vector<std::string>& settings) {
+  Drawable drawable;
   Sources sources;
   Diagnostics diagnostics;
   auto fail = [&](std::string what) {
-    figures.error = std::move(what) + "\n" + FormatDiagnostics(diagnostics, sources, false);
-    return figures;
+    drawable.error = std::move(what) + "\n" + FormatDiagnostics(diagnostics, sources, false);
+    return drawable;
   };
   SourceId source = sources.Add(path, std::string(text));
   CompileOptions options;
   options.target = Target::kSpirv;
   options.manifest_folder = std::string(FolderOf(path));
+  options.settings = settings;
   auto ours = Compile(source, graph::FormatOf(path, text), options, sources, diagnostics);
   if (!ours) return fail("the graph does not compile");
-  figures.name = ours->name;
-  std::vector<std::string> shaders = {ours->glsl};
-  std::vector<std::optional<Weight>> weights = {WeightOf(ours->spirv)};
-  for (const std::string& other : others) {
-    auto theirs = spirv::CompileSpirv(other, diagnostics);
-    if (!theirs) return fail("the reference does not compile");
-    weights.push_back(WeightOf(*theirs));
-    shaders.push_back(other);
-  }
-  for (size_t i = 0; i < weights.size(); ++i) {
-    if (!weights[i]) return fail("spirv-opt fails");
-    figures.instructions[i] = weights[i]->instructions;
-    figures.samples[i] = weights[i]->samples;
-  }
-
+  std::optional<Weight> weight = WeightOf(ours->spirv);
+  if (!weight) return fail("spirv-opt fails");
+  drawable.weight = *weight;
   SourceId manifest_source = sources.Add("manifest", ours->manifest);
   auto document =
       graph::ReadDocument(manifest_source, graph::DocumentFormat::kJson, sources, diagnostics);
@@ -127,12 +84,48 @@ ShaderFigures CompareShaders(const std::string& path, std::string_view text,
   auto manifest = runtime::ReadManifest(*document, diagnostics);
   if (!manifest) return fail("the manifest cannot be read");
   manifest->dialect = runtime::ShaderDialect::kGlsl450;
-  runtime::RenderRequest request;
+  runtime::RenderRequest& request = drawable.request;
+  request.shader = ours->glsl;
   request.manifest = *manifest;
+  request.width = request.height = kSide;
   if (!runtime::LoadTextures(*manifest, options.manifest_folder, request.textures, diagnostics)) {
     return fail("the pictures cannot be read");
   }
-  Draw(request, shaders, quiet_rounds, figures);
+  return drawable;
+}
+
+ShaderFigures CompareShaders(const std::string& path, std::string_view text,
+                             std::span<const std::string> others, int quiet_rounds) {
+  ShaderFigures figures;
+  const Drawable ours = Prepare(path, text);
+  figures.name = ours.request.manifest.name;
+  figures.error = ours.error;
+  if (!figures.error.empty()) return figures;
+  std::vector<runtime::RenderRequest> requests = {ours.request};
+  std::vector<Weight> weights = {ours.weight};
+  for (const std::string& other : others) {
+    Diagnostics diagnostics;
+    auto theirs = spirv::CompileSpirv(other, diagnostics);
+    auto weight = theirs ? WeightOf(*theirs) : std::nullopt;
+    if (!weight) {
+      figures.error = "the reference does not compile";
+      if (diagnostics.HasErrors()) figures.error += ": " + diagnostics.all().front().message;
+      return figures;
+    }
+    weights.push_back(*weight);
+    requests.push_back(ours.request);
+    requests.back().shader = other;
+  }
+  for (size_t i = 0; i < weights.size(); ++i) {
+    figures.instructions[i] = weights[i].instructions;
+    figures.samples[i] = weights[i].samples;
+  }
+  Drawn drawn = DrawInTurns(std::move(requests), quiet_rounds);
+  figures.error = drawn.error;
+  if (!figures.error.empty()) return figures;
+  figures.renderer = drawn.renderer;
+  std::ranges::copy(drawn.frame_ms, figures.frame_ms);
+  figures.difference = MeanDifference(drawn.pictures[0], drawn.pictures[1]);
   return figures;
 }
 

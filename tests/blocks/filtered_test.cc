@@ -3,20 +3,16 @@
 // what is seen from far away is the mean of what is there, and nothing shimmers or pops on the way.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
 
-#include "tests/blocks/run_block.h"
+#include "tests/blocks/mean_error.h"
 
 namespace texgraph::blocks {
 namespace {
 
 constexpr int kColumns = 4, kRows = 8;
-constexpr int kStrata = 32;  // in each direction of a pixel
-constexpr size_t kSamples = kStrata * kStrata, kPixels = 32;
-constexpr double kTiny = 1e-5;
 
 struct Wall {
   const char* name;
@@ -93,54 +89,11 @@ std::vector<Wall> Walls() {
   };
 }
 
-std::vector<double> Colors(const std::string& graph, const std::vector<Point>& points,
-                           double pixel) {
-  auto outputs = RunGraph(graph, points, {pixel, pixel}, 1e-3);
-  std::vector<double> colors;
-  for (size_t i = 0; i < points.size(); ++i) {
-    for (size_t c = 0; c < 3; ++c) colors.push_back(outputs["color"].Float(i, c));
-  }
-  return colors;
-}
-
-// Jittered in strata, by a sequence that follows no grid.
-std::vector<Point> Samples(Point middle, double pixel) {
-  std::vector<Point> points;
-  for (int i = 0; i < kStrata * kStrata; ++i) {
-    double x = (i % kStrata + std::fmod(0.7548776662 * i, 1)) / kStrata - 0.5;
-    double y = (i / kStrata + std::fmod(0.5698402910 * i, 1)) / kStrata - 0.5;
-    points.push_back({middle.x + pixel * x, middle.y + pixel * y});
-  }
-  return points;
-}
-
-// The mean error of the channel in which it is largest.
-double MeanError(const Wall& wall, double tiles) {
-  const double pixel = std::sqrt(tiles / (kColumns * kRows));
-  std::vector<Point> middles, samples;
-  for (size_t i = 0; i < kPixels; ++i) {
-    middles.push_back({std::fmod(0.1234 + 0.7548776662 * double(i), 1),
-                       std::fmod(0.5678 + 0.5698402910 * double(i), 1)});
-    for (Point p : Samples(middles.back(), pixel)) samples.push_back(p);
-  }
-  const std::vector<double> seen = Colors(wall.graph, middles, pixel);
-  const std::vector<double> fine = Colors(wall.graph, samples, kTiny);
-  double error[3] = {};
-  for (size_t i = 0; i < kPixels; ++i) {
-    for (size_t c = 0; c < 3; ++c) {
-      double mean = 0;
-      for (size_t s = 0; s < kSamples; ++s) mean += fine[3 * (kSamples * i + s) + c] / kSamples;
-      error[c] += std::fabs(seen[3 * i + c] - mean) / kPixels;
-    }
-  }
-  return *std::max_element(error, error + 3);
-}
-
 class FilteredTest : public testing::TestWithParam<Wall> {};
 
 TEST_P(FilteredTest, IsTheMeanOfWhatIsThere) {
   for (double tiles : {1.0, 2.0, 4.0, 16.0, 64.0, 4096.0}) {
-    const double error = MeanError(GetParam(), tiles);
+    const double error = MeanError(GetParam().graph, std::sqrt(tiles / (kColumns * kRows)));
     EXPECT_LE(error, 0.02) << tiles << " tiles a pixel";
     RecordProperty(std::to_string(static_cast<int>(tiles)), std::to_string(error));
   }
