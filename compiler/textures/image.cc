@@ -8,7 +8,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <memory>
 #include <new>
 #include <system_error>
 
@@ -16,11 +15,6 @@
 
 namespace texgraph::textures {
 namespace {
-
-struct CloseFile {
-  void operator()(FILE* file) const { fclose(file); }
-};
-using File = std::unique_ptr<FILE, CloseFile>;
 
 void ReportErrno(const std::string& path, int error, SourceRange range, Diagnostics& diagnostics) {
   if (error == ENOENT || error == ENOTDIR) {
@@ -33,9 +27,44 @@ void ReportErrno(const std::string& path, int error, SourceRange range, Diagnost
                                 std::generic_category().message(error)));
 }
 
-// Opens regular files only: opening a FIFO or a device could wait for ever or change something.
-File Open(const std::string& path, SourceRange range, const Roots& roots,
-          Diagnostics& diagnostics) {
+bool Decode(FILE* file, bool header_only, Image& image, CodecError& error) {
+  static constexpr uint8_t kPng[8] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+  static constexpr uint8_t kJpeg[3] = {0xff, 0xd8, 0xff};
+  uint8_t magic[8];
+  const size_t read = fread(magic, 1, sizeof magic, file);
+  rewind(file);
+  if (read == 0) {
+    snprintf(error.text, sizeof error.text,
+             ferror(file) ? "it cannot be read" : "the file is empty");
+    return false;
+  }
+  if (read >= sizeof kPng && memcmp(magic, kPng, sizeof kPng) == 0) {
+    return DecodePng(file, header_only, image, error);
+  }
+  if (read >= sizeof kJpeg && memcmp(magic, kJpeg, sizeof kJpeg) == 0) {
+    return DecodeJpeg(file, header_only, image, error);
+  }
+  snprintf(error.text, sizeof error.text, "it is neither a PNG nor a JPEG file");
+  return false;
+}
+
+std::optional<Image> Read(const std::string& path, bool header_only, SourceRange range,
+                          const Roots& roots, Diagnostics& diagnostics) {
+  File file = OpenImage(path, range, roots, diagnostics);
+  if (!file) return std::nullopt;
+  Image image;
+  CodecError error;
+  if (Decode(file.get(), header_only, image, error)) return image;
+  diagnostics.Error(
+      error.kind, range,
+      fmt::format("cannot use image '{}': {}", Printable(path), Printable(error.text)));
+  return std::nullopt;
+}
+
+}  // namespace
+
+File OpenImage(const std::string& path, SourceRange range, const Roots& roots,
+               Diagnostics& diagnostics) {
   if (path.find('\0') != std::string::npos) {
     ReportErrno(path, EINVAL, range, diagnostics);
     return nullptr;
@@ -74,42 +103,6 @@ File Open(const std::string& path, SourceRange range, const Roots& roots,
   close(descriptor);
   return nullptr;
 }
-
-bool Decode(FILE* file, bool header_only, Image& image, CodecError& error) {
-  static constexpr uint8_t kPng[8] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-  static constexpr uint8_t kJpeg[3] = {0xff, 0xd8, 0xff};
-  uint8_t magic[8];
-  const size_t read = fread(magic, 1, sizeof magic, file);
-  rewind(file);
-  if (read == 0) {
-    snprintf(error.text, sizeof error.text,
-             ferror(file) ? "it cannot be read" : "the file is empty");
-    return false;
-  }
-  if (read >= sizeof kPng && memcmp(magic, kPng, sizeof kPng) == 0) {
-    return DecodePng(file, header_only, image, error);
-  }
-  if (read >= sizeof kJpeg && memcmp(magic, kJpeg, sizeof kJpeg) == 0) {
-    return DecodeJpeg(file, header_only, image, error);
-  }
-  snprintf(error.text, sizeof error.text, "it is neither a PNG nor a JPEG file");
-  return false;
-}
-
-std::optional<Image> Read(const std::string& path, bool header_only, SourceRange range,
-                          const Roots& roots, Diagnostics& diagnostics) {
-  File file = Open(path, range, roots, diagnostics);
-  if (!file) return std::nullopt;
-  Image image;
-  CodecError error;
-  if (Decode(file.get(), header_only, image, error)) return image;
-  diagnostics.Error(
-      error.kind, range,
-      fmt::format("cannot use image '{}': {}", Printable(path), Printable(error.text)));
-  return std::nullopt;
-}
-
-}  // namespace
 
 uint32_t Image::At(uint32_t x, uint32_t y, uint32_t channel) const {
   const size_t index = (size_t{y} * width + x) * channels + channel;
