@@ -7,6 +7,10 @@
 const int ALPHA_STRAIGHT = 0;
 const int ALPHA_PREMULTIPLIED = 1;
 
+// Where the random numbers of tile maps come from: the cell's hash, or a table of permutations.
+const int RANDOMNESS_HASH = 0;
+const int RANDOMNESS_PERMUTATION = 1;
+
 /// One tile of a tiling, as seen from one point: what a block needs to draw something else in every
 /// tile.
 ///
@@ -38,6 +42,32 @@ struct Tile {
   vec2 largest;
   vec2 drift;
   vec2 tilt;
+};
+
+/// One cell of a line of cells, as seen from one point: a Tile of one dimension.
+///
+/// cell: its number. All points of a cell have the same.
+/// local: the point in the cell, from 0 to 1.
+/// size: how long the cell is in texture space.
+/// seed: random bits that all points of a cell share.
+struct Tile1 {
+  int cell;
+  float local;
+  float size;
+  uint seed;
+};
+
+/// One cell of a grid in space, as seen from one point: a Tile of three dimensions.
+///
+/// cell: which cell, as column, row and slice. All points of a cell have the same.
+/// local: the point in the cell, from (0, 0, 0) to (1, 1, 1).
+/// size: the cell's extent in texture space.
+/// seed: random bits that all points of a cell share.
+struct Tile3 {
+  ivec3 cell;
+  vec3 local;
+  vec3 size;
+  uint seed;
 };
 
 /// A surface at one point, all of its channels on one wire.

@@ -33,7 +33,7 @@ enum class ValueTest : uint8_t {
                 // one
   kNegative,    // a constant with every component below zero, but none the least int
   kWrapping,    // a uint constant at most 2^16 below 2^32: to add it is to subtract
-  kPowerOfTwo,  // a uint constant, each component a power of two
+  kPowerOfTwo,  // an integer constant, each component a power of two, above zero
   kShift,  // an integer constant from 0 to 15: two of them together still shift by less than 32
   kNonnegative,   // never below zero; it may be NaN
   kIntegral,      // a float that is a whole number, infinite or NaN

@@ -38,8 +38,8 @@ bool WordPasses(ValueTest test, TypeId type, uint32_t word) {
     case ValueTest::kWrapping:
       return ir::IsInteger(type) && ir::ScalarOf(type) == Scalar::kUint && word >= 0xffff0000u;
     case ValueTest::kPowerOfTwo:
-      return ir::IsInteger(type) && ir::ScalarOf(type) == Scalar::kUint &&
-             std::has_single_bit(word);
+      return ir::IsInteger(type) && std::has_single_bit(word) &&
+             (ir::ScalarOf(type) == Scalar::kUint || word < 0x80000000u);
     case ValueTest::kShift:
       return ir::IsInteger(type) && word < 16;
     default:

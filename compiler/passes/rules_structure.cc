@@ -174,17 +174,6 @@ ValueId IndexOfSplat(Builder& builder, Op op, TypeId type, Operands operands) {
   return builder.function().Operands(inst)[0];
 }
 
-ValueId DivideByPowerOfTwo(Builder& builder, Op op, TypeId type, Operands operands) {
-  if (op != Op::kDiv || !Passes(ValueTest::kPowerOfTwo, builder, operands[1])) return ValueId();
-  std::array<uint32_t, 4> shifts;
-  std::span<const uint32_t> words = builder.ConstWords(operands[1]);
-  for (size_t i = 0; i < words.size(); ++i) {
-    shifts[i] = static_cast<uint32_t>(std::countr_zero(words[i]));
-  }
-  ValueId by = builder.Const(type, {shifts.data(), words.size()});
-  return builder.Emit(Op::kShr, type, {operands[0], by});
-}
-
 constexpr CodeRule kStructureRules[] = {
     {"lift_splats", kExact, LiftSplats},
     {"fold_choices", kExact, FoldChoices},
@@ -192,7 +181,6 @@ constexpr CodeRule kStructureRules[] = {
     {"matmul_by_identity", kFinite | kUnsignedZero, MatMulByIdentity},
     {"index_by_constant", kExact, IndexByConstant},
     {"index_of_splat", kExact, IndexOfSplat},
-    {"divide_by_power_of_two", kExact, DivideByPowerOfTwo},
 };
 
 }  // namespace

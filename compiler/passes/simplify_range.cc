@@ -211,7 +211,10 @@ class Analysis {
       case Op::kDiv: {
         Range a = Of(x[0], depth), b = Of(x[1], depth);
         if (a.low < 0 || b.low < 0) return Everything(type);
-        return is_float ? kNotNegative : Range{0, a.high};
+        if (is_float) return kNotNegative;
+        // By zero it is 0.
+        return {b.high > 0 ? std::floor(a.low / b.high) * double(b.low > 0) : 0,
+                std::floor(a.high / std::max(b.low, 1.0))};
       }
       case Op::kMod: {
         Range a = Of(x[0], depth), b = Of(x[1], depth);

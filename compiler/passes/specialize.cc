@@ -73,6 +73,27 @@ bool IsInlined(const ir::Function& function) {
   return true;
 }
 
+// The parameters that integers are divided by: a power of two makes a mask or a shift of it.
+std::vector<bool> DividingParameters(const ir::Function& function,
+                                     const std::vector<std::vector<bool>>& callees) {
+  std::vector<bool> dividing(function.parameters.size());
+  auto mark = [&](ValueId v) {
+    const ir::Inst& inst = function[v];
+    if (inst.op == Op::kParam) dividing[inst.aux] = true;
+  };
+  for (const ir::Inst& inst : function.insts) {
+    std::span<const ValueId> operands = function.Operands(inst);
+    if ((inst.op == Op::kMod || inst.op == Op::kDiv) && ir::IsInteger(inst.type)) {
+      mark(operands[1]);
+    } else if (inst.op == Op::kCall) {
+      for (size_t i = 0; i < operands.size(); ++i) {
+        if (callees[inst.aux][i]) mark(operands[i]);
+      }
+    }
+  }
+  return dividing;
+}
+
 // The parameters that decide something: they reach a comparison, a selection, a branch or an index
 // through plain steps, so that a constant makes code disappear. By parameter.
 std::vector<bool> DecidingParameters(const ir::Function& function,
@@ -151,6 +172,7 @@ class Specializer {
   Callee Instance(FunctionId old, std::span<const Binding> bindings, std::string_view suffix);
   // Whether this constant is worth a function of its own.
   bool Binds(FunctionId callee, size_t parameter, ConstId value) const;
+  bool IsPowerOfTwo(ConstId value) const;
   bool MayBind(FunctionId callee) const { return fold_ && variants_[callee.index] < kMaxVariants; }
   const ir::Function& old(FunctionId id) const { return old_[id.index]; }
   bool folds() const { return fold_; }
@@ -167,7 +189,7 @@ class Specializer {
   const SourceRange where_;
   Diagnostics& diagnostics_;
   std::deque<ir::Function> old_;
-  std::vector<std::vector<bool>> deciding_;
+  std::vector<std::vector<bool>> deciding_, dividing_;
   std::vector<uint32_t> sites_;     // calls of each old function in the old module
   std::vector<uint32_t> variants_;  // instances of each old function
   struct Made {
@@ -376,13 +398,21 @@ void Specializer::CountCalls() {
       if (inst.op == Op::kCall || inst.op == Op::kFieldRef) ++sites_[inst.aux];
     }
     deciding_.push_back(DecidingParameters(function, deciding_));
+    dividing_.push_back(DividingParameters(function, dividing_));
   }
+}
+
+// A vector: each component.
+bool Specializer::IsPowerOfTwo(ConstId value) const {
+  return std::ranges::all_of(module_.Words(value),
+                             [](uint32_t word) { return std::has_single_bit(word); });
 }
 
 bool Specializer::Binds(FunctionId callee, size_t parameter, ConstId value) const {
   if (!MayBind(callee)) return false;
   if (sites_[callee.index] == 1 || deciding_[callee.index][parameter]) return true;
   ir::TypeId type = module_.constant(value).type;
+  if (dividing_[callee.index][parameter] && IsPowerOfTwo(value)) return true;
   if (ir::IsBool(type)) return true;
   // A cell that is no other than this one makes fields plain values.
   if (!ir::IsFloat(type) && type != ir::kIvec2) return false;

@@ -13,3 +13,7 @@ ivec2 wrap_cell(ivec2 cell, ivec2 count) {
   ivec2 flip = cell >> 31;
   return (((cell ^ flip) % count) ^ flip) + (flip & count);
 }
+ivec3 wrap_cell(ivec3 cell, ivec3 count) {
+  ivec3 flip = cell >> 31;
+  return (((cell ^ flip) % count) ^ flip) + (flip & count);
+}

@@ -74,7 +74,22 @@ std::vector<uint32_t> DefaultWords(const ir::Module& module, const Port& port) {
   return {words.begin(), words.end()};
 }
 
-bool Fits(const Overload& overload, const std::vector<Argument>& arguments) {
+ir::TypeId SamplerOf(const ir::Texture& texture) {
+  if (texture.is_array) return ir::kSampler2DArray;
+  return texture.is_3d ? ir::kSampler3D : ir::kSampler2D;
+}
+
+bool HasTypeOf(const Argument& argument, const Port& port, const ir::Types& types) {
+  if (argument.texture != nullptr) return port.type == SamplerOf(*argument.texture);
+  if (argument.is_list) {
+    return types.Kind(port.type) == ir::TypeKind::kArray &&
+           types.ElementType(port.type, 0) == argument.values.type;
+  }
+  return !argument.word.empty() || argument.values.type == port.type;
+}
+
+bool Fits(const Overload& overload, const std::vector<Argument>& arguments,
+          const ir::Types& types) {
   size_t used = 0;
   for (const Port& port : overload.inputs) {
     const Argument* argument = FindArgument(arguments, port.name);
@@ -85,7 +100,7 @@ bool Fits(const Overload& overload, const std::vector<Argument>& arguments) {
       continue;
     }
     ++used;
-    if (argument->word.empty() && argument->values.type != port.type) {
+    if (!HasTypeOf(*argument, port, types)) {
       return false;
     }
   }
@@ -95,6 +110,17 @@ bool Fits(const Overload& overload, const std::vector<Argument>& arguments) {
 ir::ConstId TemplateValue(ir::Module& module, const Port& port, const Argument* argument) {
   if (argument == nullptr) {
     return port.default_value;
+  }
+  if (argument->is_list) {
+    const Values& elements = argument->values;
+    const ir::TypeId type =
+        module.types.Array(elements.type, static_cast<uint32_t>(elements.count));
+    const size_t width = elements.words.size() / elements.count;
+    std::vector<uint32_t> words;
+    for (size_t i = 0; i < elements.words.size(); ++i) {
+      words.push_back(elements.Uint(i / width, i % width));
+    }
+    return module.Intern(type, words);
   }
   if (argument->word.empty()) {
     return module.Intern(port.type, argument->values.words);
@@ -150,6 +176,20 @@ Values Vectors(const std::vector<Vector>& values) {
   return result;
 }
 
+ir::Texture MapOf(const std::vector<std::vector<double>>& rows) {
+  ir::Texture map;
+  map.sampler.filter = ir::Filter::kNearest;
+  map.sampler.mip_filter = ir::MipFilter::kNone;
+  ir::Texture::Level level;
+  level.width = static_cast<uint32_t>(rows[0].size());
+  level.height = static_cast<uint32_t>(rows.size());
+  for (const std::vector<double>& row : rows) {
+    for (double number : row) level.texels.push_back({static_cast<float>(number), 0, 0, 1});
+  }
+  map.levels.push_back(std::move(level));
+  return map;
+}
+
 Values CellsOf(const std::vector<std::pair<int32_t, int32_t>>& cells) {
   Values result{ir::kIvec2, cells.size(), {}};
   for (const auto& [column, row] : cells) {
@@ -170,7 +210,7 @@ std::map<std::string, Values> RunBlock(std::string_view name,
   const Block* block = library.Find(name);
   const Overload* overload = nullptr;
   for (size_t i = 0; block != nullptr && i < block->overloads.size() && overload == nullptr; ++i) {
-    overload = Fits(block->overloads[i], arguments) ? &block->overloads[i] : nullptr;
+    overload = Fits(block->overloads[i], arguments, module.types) ? &block->overloads[i] : nullptr;
   }
   if (overload == nullptr) {
     ADD_FAILURE() << "no overload of block " << name << " fits\n"
@@ -179,14 +219,22 @@ std::map<std::string, Values> RunBlock(std::string_view name,
   }
   size_t count = 1;
   for (const Argument& argument : arguments) {
-    count = std::max(count, argument.values.count);
+    if (!argument.is_list) count = std::max(count, argument.values.count);
   }
   size_t lanes = (count + 3) / 4 * 4;
+  ir::EvaluateInputs inputs;
+  inputs.lanes = static_cast<uint32_t>(lanes);
   std::vector<ir::ConstId> template_values;
   std::vector<std::vector<uint32_t>> columns;
   for (const Port& port : overload->inputs) {
     const Argument* argument = FindArgument(arguments, port.name);
-    if (port.kind == PortKind::kTemplate) {
+    if (port.kind == PortKind::kTexture) {
+      const ir::GlobalId global =
+          module.AddGlobal({ir::GlobalKind::kTexture, port.name, port.type, {}});
+      inputs.textures.resize(module.globals.size());
+      inputs.textures[global.index] = argument->texture;
+      columns.push_back({global.index});
+    } else if (port.kind == PortKind::kTemplate) {
       template_values.push_back(TemplateValue(module, port, argument));
     } else if (argument != nullptr) {
       columns.push_back(Spread(argument->values, lanes));
@@ -200,8 +248,8 @@ std::map<std::string, Values> RunBlock(std::string_view name,
     return {};
   }
   EXPECT_EQ(ir::Verify(module), "");
-  ir::EvaluateInputs inputs;
-  inputs.lanes = static_cast<uint32_t>(lanes);
+  inputs.globals.resize(module.globals.size());
+  inputs.textures.resize(module.globals.size());
   std::vector<std::vector<uint32_t>> results = ir::Evaluate(module, function, inputs, columns);
   std::map<std::string, Values> outputs;
   for (size_t i = 0; i < overload->outputs.size(); ++i) {
@@ -236,7 +284,8 @@ struct Textures {
   std::vector<const ir::Texture*> by_global;
 };
 
-Textures LoadTextures(const Lowered& lowered, const std::string& folder) {
+Textures LoadTextures(const Lowered& lowered, const std::string& folder,
+                      const std::map<std::string, ir::Texture>& given) {
   const ir::Module& module = *lowered.module;
   Textures loaded;
   loaded.textures.reserve(module.globals.size());
@@ -245,6 +294,10 @@ Textures LoadTextures(const Lowered& lowered, const std::string& folder) {
     for (const graph::Texture& texture : lowered.graph->textures) {
       if (module.globals[i].kind != ir::GlobalKind::kTexture ||
           module.globals[i].name != texture.name) {
+        continue;
+      }
+      if (auto known = given.find(std::string(texture.name)); known != given.end()) {
+        loaded.by_global[i] = &known->second;
         continue;
       }
       Diagnostics diagnostics;
@@ -281,9 +334,10 @@ std::vector<uint32_t> QuadsOf(const std::vector<Point>& points, Point pixel) {
 }
 
 std::map<std::string, Values> EvaluateGraph(const Lowered& lowered, const std::string& folder,
-                                            const std::vector<Point>& points, Point pixel) {
+                                            const std::vector<Point>& points, Point pixel,
+                                            const std::map<std::string, ir::Texture>& given) {
   const ir::Module& module = *lowered.module;
-  Textures textures = LoadTextures(lowered, folder);
+  Textures textures = LoadTextures(lowered, folder, given);
   size_t lanes = 4 * points.size();
   ir::EvaluateInputs inputs;
   inputs.lanes = static_cast<uint32_t>(lanes);
@@ -317,7 +371,8 @@ std::map<std::string, Values> EvaluateGraph(const Lowered& lowered, const std::s
 std::string PictureFolder() { return TEXGRAPH_SOURCE_DIR "/graphs/brick_wall/"; }
 
 std::map<std::string, Values> RunGraph(std::string_view text, const std::vector<Point>& points,
-                                       Point pixel, double tolerance, const std::string& folder) {
+                                       Point pixel, double tolerance, const std::string& folder,
+                                       const std::map<std::string, ir::Texture>& textures) {
   Sources sources;
   Diagnostics diagnostics;
   std::optional<Lowered> plain = LowerGraph(text, folder, false, sources, diagnostics);
@@ -325,8 +380,9 @@ std::map<std::string, Values> RunGraph(std::string_view text, const std::vector<
   if (!plain.has_value() || !optimized.has_value()) {
     return {};
   }
-  std::map<std::string, Values> expected = EvaluateGraph(*plain, folder, points, pixel);
-  std::map<std::string, Values> outputs = EvaluateGraph(*optimized, folder, points, pixel);
+  std::map<std::string, Values> expected = EvaluateGraph(*plain, folder, points, pixel, textures);
+  std::map<std::string, Values> outputs =
+      EvaluateGraph(*optimized, folder, points, pixel, textures);
   for (const auto& [name, values] : outputs) {
     for (size_t i = 0; i < values.words.size(); ++i) {
       double seen = std::bit_cast<float>(values.words[i]);

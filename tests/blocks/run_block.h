@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "compiler/ir/texture.h"
 #include "compiler/ir/type.h"
 
 namespace texgraph::blocks {
@@ -36,6 +37,9 @@ Values Uints(const std::vector<uint32_t>& values);
 Values Bools(const std::vector<bool>& values);
 // Floats (of one component) or vectors of 2, 3 or 4; ivec2.
 Values Vectors(const std::vector<Vector>& values);
+// A texture of one level with the numbers in its first channel, row by row from v = 0: what a map
+// is to a shader.
+ir::Texture MapOf(const std::vector<std::vector<double>>& rows);
 // The middles of side * side equal squares between low and high in both directions, row by row.
 std::vector<Vector> Lattice(double low, double high, int side);
 Values CellsOf(const std::vector<std::pair<int32_t, int32_t>>& cells);
@@ -45,12 +49,23 @@ struct Word {
   std::string word;
 };
 
+// The elements of an array, for a template port.
+struct List {
+  Values elements;
+};
+
 struct Argument {
   Argument(std::string name, Values v) : port(std::move(name)), values(std::move(v)) {}
   Argument(std::string name, Word w) : port(std::move(name)), word(std::move(w.word)) {}
+  Argument(std::string name, List l)
+      : port(std::move(name)), values(std::move(l.elements)), is_list(true) {}
+  // A texture must live until the block has run.
+  Argument(std::string name, const ir::Texture& t) : port(std::move(name)), texture(&t) {}
   std::string port;
   Values values;     // one value stands for all; for template ports one
   std::string word;  // instead of `values`
+  const ir::Texture* texture = nullptr;
+  bool is_list = false;
 };
 
 // The outputs by name ("result" for the return value). Ports that are not given have their
@@ -71,9 +86,11 @@ std::string PictureFolder();
 // The graph's outputs at points of the texture plane, `pixel` being how much uv changes from one
 // pixel to the next, to the right and upwards. `text` is a graph in JSON that seems to lie in
 // `folder`. Evaluates it once with all optimisations and once without any, and fails the test where
-// they differ by more than `tolerance`.
+// they differ by more than `tolerance`. What `textures` has stands in place of the graph's textures
+// of these names.
 std::map<std::string, Values> RunGraph(std::string_view text, const std::vector<Point>& points,
                                        Point pixel, double tolerance = 1e-4,
-                                       const std::string& folder = PictureFolder());
+                                       const std::string& folder = PictureFolder(),
+                                       const std::map<std::string, ir::Texture>& textures = {});
 
 }  // namespace texgraph::blocks

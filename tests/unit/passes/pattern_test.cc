@@ -103,7 +103,9 @@ TEST_F(PatternTest, ScalarsAndTests) {
   EXPECT_FALSE(passes(ValueTest::kConst, p));
   EXPECT_TRUE(passes(ValueTest::kPowerOfTwo, builder_.Uint(64)));
   EXPECT_FALSE(passes(ValueTest::kPowerOfTwo, builder_.Uint(0)));
-  EXPECT_FALSE(passes(ValueTest::kPowerOfTwo, builder_.Int(64)));
+  EXPECT_TRUE(passes(ValueTest::kPowerOfTwo, builder_.Int(64)));
+  EXPECT_FALSE(passes(ValueTest::kPowerOfTwo, builder_.Int(-64)));
+  EXPECT_FALSE(passes(ValueTest::kPowerOfTwo, builder_.Int(INT32_MIN)));
   EXPECT_TRUE(passes(ValueTest::kNegative, builder_.Int(-7)));
   EXPECT_FALSE(passes(ValueTest::kNegative, builder_.Int(INT32_MIN))) << "it is its own negative";
   EXPECT_FALSE(passes(ValueTest::kNegative, two(-1, 0)));

@@ -118,6 +118,17 @@ TEST_F(StructureRulesTest, AxesIdentitiesAndIndices) {
   EXPECT_EQ(Text(Op2(Op::kDiv, i_, builder_.Int(8))), "(div i 8)");
 }
 
+TEST_F(StructureRulesTest, FlooredRemaindersOfPowersOfTwoAreMasks) {
+  auto wrapped = [&](ValueId v, int count) {
+    ValueId flip = Op2(Op::kShr, v, builder_.Int(31));
+    ValueId rest = Op2(Op::kMod, Op2(Op::kXor, v, flip), builder_.Int(count));
+    return Text(Op2(Op::kAdd, Op2(Op::kXor, rest, flip), Op2(Op::kAnd, flip, builder_.Int(count))));
+  };
+  EXPECT_EQ(wrapped(i_, 8), "(and i 7)");
+  EXPECT_EQ(wrapped(i_, 6), "(add (xor (mod (xor i (shr i 31)) 6) (shr i 31)) (and (shr i 31) 6))");
+  EXPECT_EQ(wrapped(Op2(Op::kAnd, i_, builder_.Int(255)), 6), "(mod (and i 255) 6)");
+}
+
 TEST_F(StructureRulesTest, SamplingWithoutBias) {
   ir::GlobalId texture = module_.AddGlobal({ir::GlobalKind::kTexture, "brick", ir::kSampler2D, {}});
   ValueId sampler = builder_.Global(texture), uv = Param("uv", ir::kVec2);
@@ -240,6 +251,8 @@ TEST_F(RangeTest, IntegersWrap) {
   ExpectRange(Op2(Op::kMod, u_, builder_.Uint(10)), 0, 9);
   ExpectRange(Op2(Op::kMod, i_, builder_.Int(10)), -0x1p31, 0x1p31 - 1);
   ExpectRange(Op2(Op::kMod, byte, builder_.Int(10)), 0, 9);
+  ExpectRange(Op2(Op::kDiv, Op2(Op::kAdd, byte, builder_.Int(20)), builder_.Int(10)), 2, 27);
+  ExpectRange(Op2(Op::kDiv, byte, Op2(Op::kAnd, i_, builder_.Int(3))), 0, 255);
   ExpectRange(Op2(Op::kShr, u_, builder_.Uint(24)), 0, 255);
   ExpectRange(builder_.Convert(Op2(Op::kShr, u_, builder_.Uint(24)), ir::kFloat), 0, 255);
   ExpectRange(builder_.Convert(u_, ir::kFloat), 0, 0x1p32);

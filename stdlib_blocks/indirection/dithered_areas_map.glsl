@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What a rough painted map has for a tile, with borders that dissolve: near a border some of the
+/// tiles take what the next area has.
+/// Each tile takes one of the four areas whose middles are around its own middle, as often as
+/// bilinear interpolation would weigh it; so the mean over many tiles is that of a smooth map. A
+/// tile is of one material throughout: the paper's weights, taken for the pixel, would cut tiles.
+/// In x and y two random numbers decide. With a single one, as in the paper's figure 8, two of the
+/// four areas would never come up in the middle. The neighbour is picked first and the map read
+/// once.
+/// @source Lefebvre and Neyret, Pattern Based Procedural Textures, 2003, section 3.2, Dithered
+///   Areas Map; which lets open that the map's numbers are those of the areas' middles
+/// @param areas numbers of materials, in the first channel; the row v = 0 is the lowest. The map
+///   covers one unit of the coordinate, and repeats
+/// @param tile the tile
+/// @param cells columns and rows of the tile map: multiples of the map's @multiple_of areas
+///   @range 1 1048576
+/// @param stream blocks with different streams dither independently; maps that are to dissolve
+///   alike have the same @default 1
+/// @return the number in the map, -1 for nothing
+int dithered_areas_map(sampler2D areas, Tile tile, const ivec2 cells, const int stream) {
+  ivec2 size = textureSize(areas, 0);
+  ivec2 half_area = max(cells / size, 1);
+  ivec2 area = 2 * half_area;
+  // In half tiles, from the middle of the area before the first one on, so that nothing is below 0.
+  ivec2 middle = 2 * wrap_cell(tile.cell, cells) + half_area + 1;
+  ivec2 last = middle / area;
+  ivec2 share = middle - last * area;
+  uint bits = hash(tile.seed + uint(stream));
+  ivec2 luck = ivec2(uvec2(bits & 65535u, bits >> 16u) * uvec2(area) >> 16u);
+  ivec2 picked = last - ivec2(greaterThanEqual(luck, share));
+  return int(texelFetch(areas, wrap_cell(picked, size), 0).r);
+}

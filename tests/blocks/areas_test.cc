@@ -1,0 +1,394 @@
+// SPDX-License-Identifier: Apache-2.0
+// Materials and areas: probabilities that are what the lists say, areas that are where the map has
+// them, borders that dissolve by the weights of bilinear interpolation, transitions that fit.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "tests/blocks/reference.h"
+#include "tests/blocks/run_block.h"
+
+namespace texgraph::blocks {
+namespace {
+
+using Cell = std::pair<int32_t, int32_t>;
+
+int Floored(int a, int n) { return (a % n + n) % n; }
+
+Values Tiles(const std::vector<Vector>& uv, Cell cells, bool toroidal = false, int32_t seed = 0) {
+  return RunBlock("virtual_tile_map", {{"uv", Vectors(uv)},
+                                       {"cells", CellsOf({cells})},
+                                       {"seed", Ints({seed})},
+                                       {"toroidal", Bools({toroidal})}})["tile"];
+}
+
+// All tiles of a unit square, from their middles.
+Values AllTiles(Cell cells, int32_t seed = 0) {
+  std::vector<Vector> uv;
+  for (int y = 0; y < cells.second; ++y) {
+    for (int x = 0; x < cells.first; ++x) {
+      uv.push_back({(x + 0.5) / cells.first, (y + 0.5) / cells.second});
+    }
+  }
+  return Tiles(uv, cells, false, seed);
+}
+
+std::vector<int> IntsOf(const Values& values) {
+  std::vector<int> result;
+  for (size_t i = 0; i < values.count; ++i) result.push_back(values.Int(i));
+  return result;
+}
+
+// --- Probabilities -----------------------------------------------------------------------------
+
+// O6. Over numbers that are spread evenly each pattern comes up exactly as often as the list has
+// it.
+TEST(ProbabilityMapTest, FrequenciesAreThoseOfTheList) {
+  const std::vector<int32_t> list = {4, 4, 4, -1, 9, 9, 0};
+  std::vector<double> luck;
+  for (int i = 0; i < 700; ++i) luck.push_back((i + 0.5) / 700);
+  auto outputs =
+      RunBlock("probability_map", {{"random", Floats(luck)}, {"patterns", List{Ints(list)}}});
+  ASSERT_EQ(outputs.size(), 1u);
+  std::map<int, int> counts;
+  for (int pattern : IntsOf(outputs["result"])) ++counts[pattern];
+  EXPECT_EQ(counts, (std::map<int, int>{{-1, 100}, {0, 100}, {4, 300}, {9, 200}}));
+  // The ends, and beyond: never outside of the list.
+  luck = {0, std::nextafter(1.0f, 0.0f) * 1.0, 1, 1e9, -0.2, -1e9};
+  outputs = RunBlock("probability_map", {{"random", Floats(luck)}, {"patterns", List{Ints(list)}}});
+  EXPECT_EQ(IntsOf(outputs["result"]), (std::vector<int>{4, 0, 0, 0, 4, 4}));
+}
+
+TEST(ProbabilityMapTest, TakesARowOfATexture) {
+  const ir::Texture lists = MapOf({{1, 1, 2, 3}, {7, 8, 8, 8}});
+  auto run = [&](int list) {
+    auto outputs = RunBlock(
+        "probability_map",
+        {{"random", Floats({0, 0.3, 0.6, 0.99, 5, -5})}, {"lists", lists}, {"list", Ints({list})}});
+    return IntsOf(outputs["result"]);
+  };
+  EXPECT_EQ(run(0), (std::vector<int>{1, 1, 2, 3, 3, 1}));
+  EXPECT_EQ(run(1), (std::vector<int>{7, 8, 8, 8, 8, 7}));
+  EXPECT_EQ(run(9), run(1)) << "beyond the last it is the last";
+  EXPECT_EQ(run(-1), std::vector<int>(6, -1)) << "nothing";
+}
+
+// O6. Realised frequencies of materials, within what chance allows; the tile's own bits decide.
+TEST(MaterialsMapTest, PatternsComeAsOftenAsTheirListsSay) {
+  const std::vector<std::vector<double>> rows = {
+      {0, 0, 0, 1, 2}, {5, 5, 5, 5, 6}, {-1, -1, 3, 3, 4}};
+  const ir::Texture lists = MapOf(rows);
+  Values tiles = AllTiles({200, 100}, 3);
+  std::vector<std::vector<int>> streams;
+  for (int stream : {0, 4}) {
+    for (int material : {0, 1, 2}) {
+      auto outputs = RunBlock("materials_map", {{"lists", lists},
+                                                {"material", Ints({material})},
+                                                {"tile", tiles},
+                                                {"stream", Ints({stream})}});
+      ASSERT_EQ(outputs.size(), 1u);
+      std::vector<int> patterns = IntsOf(outputs["result"]);
+      std::map<int, int> counts, wanted;
+      for (double pattern : rows[static_cast<size_t>(material)])
+        ++wanted[static_cast<int>(pattern)];
+      for (size_t i = 0; i < patterns.size(); ++i) {
+        ++counts[patterns[i]];
+        uint32_t bits = tiles.Uint(i, 6);
+        if (stream != 0) bits = reference::Pcg(bits + 4);
+        ASSERT_EQ(patterns[i], rows[static_cast<size_t>(material)][(bits >> 16) * 5 / 65536]);
+      }
+      for (auto [pattern, count] : counts) {
+        const double p = wanted[pattern] / 5.0, n = 20000;
+        EXPECT_NEAR(count, n * p, 4 * std::sqrt(n * p * (1 - p))) << pattern;
+      }
+      if (material == 0) streams.push_back(patterns);
+    }
+  }
+  int equal = 0;
+  for (size_t i = 0; i < streams[0].size(); ++i) equal += streams[0][i] == streams[1][i];
+  EXPECT_NEAR(equal, 20000 * 11 / 25.0, 5 * std::sqrt(20000 * 0.25)) << "streams are independent";
+  for (int material : {-1, -100}) {
+    auto nothing = RunBlock("materials_map",
+                            {{"lists", lists}, {"material", Ints({material})}, {"tile", tiles}});
+    EXPECT_EQ(IntsOf(nothing["result"]), std::vector<int>(20000, -1));
+  }
+  auto beyond =
+      RunBlock("materials_map", {{"lists", lists}, {"material", Ints({7})}, {"tile", tiles}});
+  auto last =
+      RunBlock("materials_map", {{"lists", lists}, {"material", Ints({2})}, {"tile", tiles}});
+  EXPECT_EQ(beyond["result"].words, last["result"].words);
+}
+
+// --- Areas -------------------------------------------------------------------------------------
+
+std::vector<std::vector<double>> SomeMap(int width, int height) {
+  std::vector<std::vector<double>> rows(static_cast<size_t>(height));
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) rows[static_cast<size_t>(y)].push_back(width * y + x - 1);
+  }
+  return rows;
+}
+
+int NumberAt(const std::vector<std::vector<double>>& rows, int x, int y) {
+  const std::vector<double>& row =
+      rows[static_cast<size_t>(Floored(y, static_cast<int>(rows.size())))];
+  return static_cast<int>(row[static_cast<size_t>(Floored(x, static_cast<int>(row.size())))]);
+}
+
+TEST(AreasMapTest, AreasAreWhereTheMapHasThem) {
+  struct Case {
+    int width, height;
+    Cell cells;
+  };
+  for (const Case& one : {Case{8, 8, {64, 64}}, {3, 5, {12, 35}}, {4, 2, {4, 2}}, {1, 1, {9, 9}}}) {
+    const auto rows = SomeMap(one.width, one.height);
+    const ir::Texture map = MapOf(rows);
+    std::vector<Vector> uv = Lattice(-1, 2, 90);
+    for (bool toroidal : {false, true}) {
+      Values tiles = Tiles(uv, one.cells, toroidal);
+      auto outputs =
+          RunBlock("areas_map", {{"areas", map}, {"tile", tiles}, {"cells", CellsOf({one.cells})}});
+      ASSERT_EQ(outputs.size(), 1u);
+      for (size_t i = 0; i < uv.size(); ++i) {
+        // The middle of the tile, in areas.
+        const double x = (std::floor(uv[i][0] * one.cells.first) + 0.5) / one.cells.first;
+        const double y = (std::floor(uv[i][1] * one.cells.second) + 0.5) / one.cells.second;
+        ASSERT_EQ(outputs["result"].Int(i),
+                  NumberAt(rows, static_cast<int>(std::floor(x * one.width)),
+                           static_cast<int>(std::floor(y * one.height))))
+            << uv[i][0] << " " << uv[i][1];
+      }
+    }
+  }
+}
+
+// A map that is larger than the tile map, or does not divide it, is read inside all the same.
+TEST(AreasMapTest, NeverReadsOutside) {
+  const ir::Texture map = MapOf(std::vector<std::vector<double>>(7, std::vector<double>(5, 2)));
+  for (Cell cells : {Cell{3, 3}, {8, 9}, {64, 64}}) {
+    Values tiles = Tiles(Lattice(-1, 2, 60), cells);
+    for (const char* block : {"areas_map", "dithered_areas_map"}) {
+      auto outputs =
+          RunBlock(block, {{"areas", map}, {"tile", tiles}, {"cells", CellsOf({cells})}});
+      EXPECT_EQ(IntsOf(outputs["result"]), std::vector<int>(3600, 2)) << block;
+    }
+  }
+}
+
+// --- Dithering ---------------------------------------------------------------------------------
+
+// O8. As often as the share says, and exactly at its ends.
+TEST(DitherTest, TheSecondComesAsOftenAsItsShare) {
+  std::vector<double> luck;
+  for (int i = 0; i < 400; ++i) luck.push_back(i / 400.0);
+  for (double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+    auto outputs = RunBlock("dither", {{"a", Ints({7})},
+                                       {"b", Ints({-3})},
+                                       {"share", Floats({share})},
+                                       {"random", Floats(luck)}});
+    ASSERT_EQ(outputs.size(), 1u);
+    std::map<int, int> counts;
+    for (int number : IntsOf(outputs["result"])) ++counts[number];
+    EXPECT_EQ(counts[-3], 400 * share);
+    EXPECT_EQ(counts[7], 400 - 400 * share);
+  }
+}
+
+// The weight of the area (x, y) for the middle of a tile: the product of two hats of the width of
+// an area, around the area's middle. In double, on the torus.
+double BilinearWeight(Cell tile, Cell area, Cell cells, Cell areas) {
+  double weight = 1;
+  for (int axis = 0; axis < 2; ++axis) {
+    const int count = axis == 0 ? areas.first : areas.second;
+    const double p = ((axis == 0 ? tile.first : tile.second) + 0.5) * count /
+                     (axis == 0 ? cells.first : cells.second);
+    double hats = 0;
+    for (int turn : {-1, 0, 1}) {
+      const double middle = (axis == 0 ? area.first : area.second) + 0.5 + turn * count;
+      hats += std::fmax(0, 1 - std::fabs(p - middle));
+    }
+    weight *= hats;
+  }
+  return weight;
+}
+
+// O8 in the plane: each of the four areas comes as often as it is weighed, tile by tile, over many
+// seeds; what has the weight 0 never comes, what has the weight 1 always.
+TEST(DitheredAreasMapTest, AreasComeByTheirBilinearWeights) {
+  struct Case {
+    Cell areas, cells;
+  };
+  for (const Case& one : {Case{{4, 4}, {16, 16}}, {{3, 2}, {9, 10}}, {{2, 2}, {2, 2}}}) {
+    const auto rows = SomeMap(one.areas.first, one.areas.second);
+    const ir::Texture map = MapOf(rows);
+    const size_t tiles = static_cast<size_t>(one.cells.first * one.cells.second);
+    constexpr int kSeeds = 600;
+    std::vector<std::map<int, int>> counts(tiles);
+    for (int seed = 0; seed < kSeeds; ++seed) {
+      Values all = AllTiles(one.cells, seed);
+      auto outputs = RunBlock("dithered_areas_map",
+                              {{"areas", map}, {"tile", all}, {"cells", CellsOf({one.cells})}});
+      ASSERT_EQ(outputs.size(), 1u);
+      for (size_t i = 0; i < tiles; ++i) ++counts[i][outputs["result"].Int(i)];
+    }
+    double statistic = 0;
+    int freedoms = 0;
+    for (size_t i = 0; i < tiles; ++i) {
+      const Cell tile{static_cast<int>(i) % one.cells.first, static_cast<int>(i) / one.cells.first};
+      int wanted_kinds = 0;
+      for (int y = 0; y < one.areas.second; ++y) {
+        for (int x = 0; x < one.areas.first; ++x) {
+          const double weight = BilinearWeight(tile, {x, y}, one.cells, one.areas);
+          const int count = counts[i][NumberAt(rows, x, y)];
+          const double expected = kSeeds * weight;
+          if (weight < 1e-9) {
+            ASSERT_EQ(count, 0) << i;
+            continue;
+          }
+          if (weight > 1 - 1e-9) {
+            ASSERT_EQ(count, kSeeds) << i;
+          }
+          EXPECT_NEAR(count, expected, 5.5 * std::sqrt(expected * (1 - weight)) + 1e-6) << i;
+          statistic += (count - expected) * (count - expected) / expected;
+          ++wanted_kinds;
+        }
+      }
+      freedoms += wanted_kinds - 1;
+    }
+    const double spread = 5 * std::sqrt(2.0 * freedoms);
+    EXPECT_NEAR(statistic, freedoms, spread + 1e-6);
+  }
+}
+
+// O9. All points of a tile get one material, also in the middle of a border.
+TEST(DitheredAreasMapTest, TilesAreOfOneMaterial) {
+  const ir::Texture map = MapOf(SomeMap(4, 4));
+  std::vector<Vector> uv = Lattice(-1, 1, 240);
+  Values tiles = Tiles(uv, {16, 16});
+  auto outputs = RunBlock("dithered_areas_map",
+                          {{"areas", map}, {"tile", tiles}, {"cells", CellsOf({{16, 16}})}});
+  ASSERT_EQ(outputs.size(), 1u);
+  std::map<Cell, int> materials;
+  std::set<int> kinds;
+  for (size_t i = 0; i < uv.size(); ++i) {
+    const Cell cell{tiles.Int(i, 0), tiles.Int(i, 1)};
+    auto [known, is_new] = materials.emplace(cell, outputs["result"].Int(i));
+    ASSERT_EQ(known->second, outputs["result"].Int(i));
+    kinds.insert(known->second);
+  }
+  EXPECT_EQ(kinds.size(), 16u);
+}
+
+TEST(DitheredAreasMapTest, StreamsAreIndependent) {
+  const ir::Texture map = MapOf({{0, 1}, {2, 3}});
+  Values tiles = AllTiles({128, 128});
+  std::array<std::vector<int>, 2> seen;
+  for (int stream : {0, 1}) {
+    seen[static_cast<size_t>(stream)] =
+        IntsOf(RunBlock("dithered_areas_map", {{"areas", map},
+                                               {"tile", tiles},
+                                               {"cells", CellsOf({{128, 128}})},
+                                               {"stream", Ints({stream})}})["result"]);
+  }
+  // Equal as often as the squares of the weights add up to.
+  double expected = 0, variance = 0;
+  int equal = 0;
+  for (int i = 0; i < 128 * 128; ++i) {
+    double same = 0;
+    for (int area = 0; area < 4; ++area) {
+      const double w = BilinearWeight({i % 128, i / 128}, {area % 2, area / 2}, {128, 128}, {2, 2});
+      same += w * w;
+    }
+    expected += same;
+    variance += same * (1 - same);
+    equal += seen[0][static_cast<size_t>(i)] == seen[1][static_cast<size_t>(i)];
+  }
+  EXPECT_NEAR(equal, expected, 5 * std::sqrt(variance));
+}
+
+// --- Transitions -------------------------------------------------------------------------------
+
+struct Transitions {
+  std::vector<int> materials, transitions;
+};
+
+// The blocks in a graph, at the middle of each tile of a torus: the material is a map's.
+Transitions RunTransitions(const std::vector<std::vector<double>>& rows,
+                           const std::string& families, int count) {
+  const int width = static_cast<int>(rows[0].size()), height = static_cast<int>(rows.size());
+  const std::string size = "[" + std::to_string(width) + ", " + std::to_string(height) + "]";
+  std::vector<Point> points;
+  for (int i = 0; i < width * height; ++i) {
+    points.push_back({(i % width + 0.5) / width, (i / width + 0.5) / height});
+  }
+  auto outputs = RunGraph(
+      R"({"texgraph": 1, "textures": {"where": {"file": "moss.png"}}, "nodes": {
+        "tiles": {"block": "virtual_tile_map", "in": {"cells": )" +
+          size + R"(, "toroidal": true}},
+        "map": {"block": "explicit_indirection_map", "in": {"map": "where", "tile": "tiles"}},
+        "t": {"block": "transition_tiles", "in": {"material": "map", "families": )" +
+          families + R"(, "family_count": )" + std::to_string(count) + R"(}},
+        "told": {"block": "combine2", "in": {"x": "t.material_here", "y": "t.transition"}},
+        "both": {"block": "components", "in": {"vector": "told"}},
+        "color": {"block": "combine4", "in": {"x": "both.x", "y": "both.y"}}},
+      "outputs": {"color": "color"}})",
+      points, {1e-4, 1e-4}, 1e-4, PictureFolder(), {{"where", MapOf(rows)}});
+  Transitions seen;
+  for (size_t i = 0; i < points.size() && !outputs.empty(); ++i) {
+    seen.materials.push_back(static_cast<int>(outputs["color"].Float(i, 0)));
+    seen.transitions.push_back(static_cast<int>(outputs["color"].Float(i, 1)));
+  }
+  return seen;
+}
+
+// O10. Tiles that share a border have the same families at its ends; plain tiles have no
+// transition; and all of m^4 - m transitions come up.
+TEST(TransitionTilesTest, BordersAgreeAboutTheirCorners) {
+  const std::vector<int> families = {0, 1, 1, 2, 0};
+  for (int count : {2, 3}) {
+    // A torus of random materials, large enough that each transition comes up.
+    const int side = 48;
+    const int kinds = count == 2 ? 3 : 5;
+    std::vector<std::vector<double>> rows(side, std::vector<double>(side));
+    for (int i = 0; i < side * side; ++i) {
+      rows[static_cast<size_t>(i / side)][static_cast<size_t>(i % side)] =
+          reference::Pcg(static_cast<uint32_t>(i)) % static_cast<uint32_t>(kinds);
+    }
+    Transitions seen = RunTransitions(rows, "[0, 1, 1, 2, 0]", count);
+    ASSERT_EQ(seen.transitions.size(), static_cast<size_t>(side * side));
+    // The families of a tile's four corners: left below, right below, left above, right above.
+    auto corners = [&](int x, int y) {
+      const int at = Floored(y, side) * side + Floored(x, side);
+      const int transition = seen.transitions[static_cast<size_t>(at)];
+      const int here = families[static_cast<size_t>(seen.materials[static_cast<size_t>(at)])];
+      std::array<int, 4> corners{here, here, here, here};
+      for (int k = 0, rest = transition; k < 4 && transition >= 0; ++k, rest /= count) {
+        corners[static_cast<size_t>(k)] = rest % count;
+      }
+      return corners;
+    };
+    std::set<int> different;
+    for (int y = 0; y < side; ++y) {
+      for (int x = 0; x < side; ++x) {
+        const size_t at = static_cast<size_t>(y * side + x);
+        ASSERT_EQ(seen.materials[at], rows[static_cast<size_t>(y)][static_cast<size_t>(x)]);
+        const auto here = corners(x, y), right = corners(x + 1, y), up = corners(x, y + 1);
+        ASSERT_EQ(here[0], families[static_cast<size_t>(seen.materials[at])]);
+        ASSERT_EQ(here[1], right[0]);
+        ASSERT_EQ(here[3], right[2]);
+        ASSERT_EQ(here[2], up[0]);
+        ASSERT_EQ(here[3], up[1]);
+        const bool plain = here[0] == here[1] && here[0] == here[2] && here[0] == here[3];
+        EXPECT_EQ(seen.transitions[at] == -1, plain);
+        if (!plain) different.insert(seen.transitions[at]);
+      }
+    }
+    EXPECT_EQ(different.size(), static_cast<size_t>(count * count * count * count - count));
+  }
+}
+
+}  // namespace
+}  // namespace texgraph::blocks
