@@ -6,11 +6,9 @@
 #include <algorithm>
 #include <bit>
 #include <chrono>
-#include <memory>
 
 #include "runtime/gl_program.h"
 #include "runtime/gl_texture.h"
-#include "runtime/mesh_painter.h"
 #include "runtime/pixels.h"
 
 namespace texgraph::runtime {
@@ -20,51 +18,7 @@ double Seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-class Drawing {
- public:
-  Drawing(const GlContext& context, const RenderRequest& request, const RenderPlan& plan,
-          SharedResult& shared)
-      : gl_(context.gl), context_(context), request_(request), plan_(plan), shared_(shared) {}
-  ~Drawing();
-
-  void Run();
-
- private:
-  bool Fail(DiagnosticKind kind, const std::string& text) {
-    shared_.Fail(kind, text);
-    return false;
-  }
-  bool CheckError(std::string_view what);
-  bool Upload();
-  bool Link();
-  bool BindTextures();
-  bool MakeFramebuffer();
-  bool ChooseOutputs();
-  bool PrepareMesh();
-  void DrawTile(uint32_t x, uint32_t y);
-  void ReadTile(uint32_t x, uint32_t y);
-  template <class Function>
-  void EachTile(Function function) {
-    for (uint32_t y = 0; y < request_.height; y += tile_) {
-      for (uint32_t x = 0; x < request_.width; x += tile_) function(x, y);
-    }
-  }
-  void TimeFrames();
-
-  const GlFunctions& gl_;
-  const GlContext& context_;
-  const RenderRequest& request_;
-  const RenderPlan& plan_;
-  SharedResult& shared_;
-  std::vector<GLuint> textures_;
-  GLuint program_ = 0;
-  GLuint framebuffer_ = 0;
-  GLuint vertex_array_ = 0;
-  std::vector<GLuint> renderbuffers_;
-  uint32_t tile_ = 0;
-  std::vector<float> rows_;
-  std::unique_ptr<MeshPainter> painter_;  // if it is a mesh
-};
+}  // namespace
 
 Drawing::~Drawing() {
   painter_.reset();
@@ -248,37 +202,46 @@ void Drawing::TimeFrames() {
   }
 }
 
-void Drawing::Run() {
+bool Drawing::Prepare() {
   while (gl_.GetError() != GL_NO_ERROR) {
   }
-  if (!Upload()) return;
-  const double start = Seconds();
-  if (!Link() || !MakeFramebuffer()) return;
-  if (!(painter_ ? PrepareMesh() : ChooseOutputs())) return;
+  if (!Upload()) return false;
+  start_ = Seconds();
+  if (!Link() || !MakeFramebuffer()) return false;
+  if (!(painter_ ? PrepareMesh() : ChooseOutputs())) return false;
   gl_.GenVertexArrays(1, &vertex_array_);
   gl_.BindVertexArray(vertex_array_);
   gl_.Disable(GL_DITHER);
   gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
+  return true;
+}
+
+bool Drawing::SetValues() {
+  gl_.UseProgram(program_);
+  SetUniforms(gl_, program_, request_);
+  if (painter_) painter_->SetScene();
+  return CheckError("setting uniforms");
+}
+
+bool Drawing::Update(size_t sampler, const TexelUpdate& update) {
+  shared_.stage = Stage::kUploading;
+  UpdateTexels(gl_, static_cast<uint32_t>(sampler), *plan_.samplers[sampler].data, update);
+  return CheckError("changing texels");
+}
+
+bool Drawing::Draw() {
   shared_.stage = Stage::kDrawing;
-  bool first = true;
+  for (uint64_t& pixels : shared_.nan_pixels) pixels = 0;
   EachTile([&](uint32_t x, uint32_t y) {
     DrawTile(x, y);
-    if (first) {
+    if (!has_drawn_) {
       gl_.Finish();
-      shared_.compile_seconds = Seconds() - start;
-      first = false;
+      shared_.compile_seconds = Seconds() - start_;
+      has_drawn_ = true;
     }
     ReadTile(x, y);
   });
-  if (!CheckError("drawing")) return;
-  TimeFrames();
-}
-
-}  // namespace
-
-void DrawRequest(const GlContext& context, const RenderRequest& request, const RenderPlan& plan,
-                 SharedResult& shared) {
-  Drawing(context, request, plan, shared).Run();
+  return CheckError("drawing");
 }
 
 }  // namespace texgraph::runtime

@@ -140,4 +140,24 @@ GLuint UploadTexture(const GlFunctions& gl, uint32_t unit, const textures::Textu
   return texture;
 }
 
+void UpdateTexels(const GlFunctions& gl, uint32_t unit, const textures::TextureData& data,
+                  const TexelUpdate& update) {
+  const Format format = FormatOf(data.format);
+  const GLenum target = TargetOf(data);
+  const auto level = static_cast<GLint>(update.level);
+  const auto x = static_cast<GLint>(update.x);
+  const auto y = static_cast<GLint>(update.y);
+  const auto width = static_cast<GLsizei>(update.width);
+  const auto height = static_cast<GLsizei>(update.height);
+  gl.ActiveTexture(GL_TEXTURE0 + unit);
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  if (target == GL_TEXTURE_2D) {
+    gl.TexSubImage2D(target, level, x, y, width, height, format.layout, format.type,
+                     update.texels.data());
+  } else {
+    gl.TexSubImage3D(target, level, x, y, static_cast<GLint>(update.layer), width, height, 1,
+                     format.layout, format.type, update.texels.data());
+  }
+}
+
 }  // namespace texgraph::runtime

@@ -7,6 +7,7 @@
 
 #include "compiler/textures/texels.h"
 #include "runtime/gl_context.h"
+#include "runtime/texel_update.h"
 
 namespace texgraph::runtime {
 
@@ -14,5 +15,9 @@ namespace texgraph::runtime {
 // the way in `why_not`, if the driver says that the texture is too large for it.
 GLuint UploadTexture(const GlFunctions& gl, uint32_t unit, const textures::TextureData& data,
                      std::string& why_not);
+// Changes texels of the texture of `data` that lies bound on that unit. The update has been
+// checked.
+void UpdateTexels(const GlFunctions& gl, uint32_t unit, const textures::TextureData& data,
+                  const TexelUpdate& update);
 
 }  // namespace texgraph::runtime

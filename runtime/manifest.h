@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -81,5 +82,8 @@ std::optional<Manifest> ReadManifest(const graph::Document& document, Diagnostic
 // unknown names, parameters that are no uniforms, wrong types and values out of range; false then.
 bool ApplySettings(const std::vector<std::string>& settings, Sources& sources, Manifest& manifest,
                    Diagnostics& diagnostics);
+// The same for numbers: one for each component, or one for all; a bool is 0 or not.
+bool SetParameter(std::string_view name, std::span<const double> numbers, Manifest& manifest,
+                  Diagnostics& diagnostics);
 
 }  // namespace texgraph::runtime

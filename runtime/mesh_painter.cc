@@ -34,14 +34,8 @@ MeshPainter::MeshPainter(const GlContext& context, const RenderRequest& request,
       request_(request),
       plan_(plan),
       scene_(*request.scene),
-      shader_(ComposeFor(request, plan)) {
-  const Box box = BoundsOf(*scene_.mesh);
-  Camera camera = scene_.camera;
-  if (!camera.distance) {
-    camera.distance = FramingDistance(*scene_.mesh, box, camera, request.width, request.height);
-  }
-  view_ = ViewOf(box, camera, request.width, request.height);
-}
+      shader_(ComposeFor(request, plan)),
+      box_(BoundsOf(*scene_.mesh)) {}
 
 MeshPainter::~MeshPainter() {
   gl_.Disable(GL_DEPTH_TEST);
@@ -94,6 +88,11 @@ void MeshPainter::Set3(const std::string& name, const glm::dvec3& value) const {
 }
 
 void MeshPainter::SetScene() {
+  Camera camera = scene_.camera;
+  if (!camera.distance) {
+    camera.distance = FramingDistance(*scene_.mesh, box_, camera, request_.width, request_.height);
+  }
+  view_ = ViewOf(box_, camera, request_.width, request_.height);
   const Lighting& light = scene_.lighting;
   const double yaw = scene_.camera.yaw;
   Set3("eye", view_.eye);

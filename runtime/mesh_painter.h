@@ -28,13 +28,14 @@ class MeshPainter {
   // in `log`, if there are any.
   bool Prepare(GLuint program, uint32_t tile, uint32_t free_unit, std::string& what,
                std::string& log);
+  // What the scene's camera and lights are now. With the program in use.
+  void SetScene();
   // One square, its left bottom corner at pixel (x, y), into the attachments of `target`, one for
   // each output.
   void DrawTile(uint32_t x, uint32_t y, GLuint target);
 
  private:
   void UploadMesh();
-  void SetScene();
   bool MakeSamples(std::string& what);
   GLint Uniform(GLuint program, const std::string& name) const {
     return gl_.GetUniformLocation(program, name.c_str());
@@ -48,6 +49,7 @@ class MeshPainter {
   const RenderPlan& plan_;
   const Scene& scene_;
   MeshShader shader_;
+  Box box_;
   View view_;
   uint32_t tile_ = 0;
   uint32_t unit_ = 0;

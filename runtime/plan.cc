@@ -110,26 +110,6 @@ bool CheckNumbers(const RenderRequest& request, Diagnostics& diagnostics) {
   return true;
 }
 
-bool CheckScene(const RenderRequest& request, Diagnostics& diagnostics) {
-  if (!request.scene) return true;
-  const Scene& scene = *request.scene;
-  const Camera& camera = scene.camera;
-  const auto between = [](double value, double low, double high) {
-    return value >= low && value <= high;
-  };
-  const bool ok =
-      scene.mesh && !scene.mesh->indices.empty() && between(scene.samples, 1, kMaxSampleSide) &&
-      between(camera.yaw, -1e6, 1e6) && between(camera.pitch, -90, 90) &&
-      between(camera.field_of_view, 1, 170) && between(camera.distance.value_or(1), 1e-12, 1e13) &&
-      between(scene.lighting.yaw, -1e6, 1e6) && between(scene.lighting.pitch, -90, 90) &&
-      between(std::abs(scene.tiles[0]), 1e-6, 1e6) &&
-      between(std::abs(scene.tiles[1]), 1e-6, 1e6) && between(std::abs(scene.relief), 0, 1e6);
-  if (ok) return true;
-  diagnostics.Error(DiagnosticKind::kUsage, {},
-                    "a scene has a mesh with triangles, and its numbers are within their limits");
-  return false;
-}
-
 // The light is put around a function, and the names and types of its outputs are the graph's.
 bool CheckFunction(const Manifest& manifest, Diagnostics& diagnostics) {
   const auto refuse = [&](std::string text) {
@@ -184,6 +164,26 @@ bool PlanSamplers(const RenderRequest& request, RenderPlan& plan, Diagnostics& d
 }
 
 }  // namespace
+
+bool CheckScene(const RenderRequest& request, Diagnostics& diagnostics) {
+  if (!request.scene) return true;
+  const Scene& scene = *request.scene;
+  const Camera& camera = scene.camera;
+  const auto between = [](double value, double low, double high) {
+    return value >= low && value <= high;
+  };
+  const bool ok =
+      scene.mesh && !scene.mesh->indices.empty() && between(scene.samples, 1, kMaxSampleSide) &&
+      between(camera.yaw, -1e6, 1e6) && between(camera.pitch, -90, 90) &&
+      between(camera.field_of_view, 1, 170) && between(camera.distance.value_or(1), 1e-12, 1e13) &&
+      between(scene.lighting.yaw, -1e6, 1e6) && between(scene.lighting.pitch, -90, 90) &&
+      between(std::abs(scene.tiles[0]), 1e-6, 1e6) &&
+      between(std::abs(scene.tiles[1]), 1e-6, 1e6) && between(std::abs(scene.relief), 0, 1e6);
+  if (ok) return true;
+  diagnostics.Error(DiagnosticKind::kUsage, {},
+                    "a scene has a mesh with triangles, and its numbers are within their limits");
+  return false;
+}
 
 bool PlanRender(const RenderRequest& request, RenderPlan& plan, Diagnostics& diagnostics) {
   return CheckNumbers(request, diagnostics) && CheckScene(request, diagnostics) &&

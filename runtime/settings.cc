@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "compiler/graph/checked_graph.h"
 #include "runtime/manifest.h"
 
@@ -56,6 +59,7 @@ ManifestParameter* FindParameter(Manifest& manifest, const graph::Setting& setti
   return nullptr;
 }
 
+// Reports what does not fit.
 void Apply(const graph::Setting& setting, Manifest& manifest, Diagnostics& diagnostics) {
   ManifestParameter* parameter = FindParameter(manifest, setting, diagnostics);
   if (parameter == nullptr) return;
@@ -93,6 +97,34 @@ bool ApplySettings(const std::vector<std::string>& settings, Sources& sources, M
   for (const graph::Setting& setting : graph::ReadSettings(settings, sources, diagnostics)) {
     Apply(setting, manifest, diagnostics);
   }
+  return diagnostics.error_count() == before;
+}
+
+bool SetParameter(std::string_view name, std::span<const double> numbers, Manifest& manifest,
+                  Diagnostics& diagnostics) {
+  const size_t before = diagnostics.error_count();
+  graph::Setting setting;
+  setting.name = name;
+  const auto parameter =
+      std::find_if(manifest.parameters.begin(), manifest.parameters.end(),
+                   [&](const ManifestParameter& entry) { return entry.name == name; });
+  const bool is_bool =
+      parameter != manifest.parameters.end() && parameter->type == ir::kBool && numbers.size() == 1;
+  setting.value.kind = is_bool               ? Argument::Kind::kBool
+                       : numbers.size() == 1 ? Argument::Kind::kNumber
+                                             : Argument::Kind::kVector;
+  setting.value.boolean = is_bool && numbers[0] != 0;
+  setting.value.is_integer = true;
+  for (double number : numbers) {
+    if (!std::isfinite(number)) {
+      diagnostics.Error(DiagnosticKind::kValueRange, {},
+                        fmt::format("parameter '{}' takes finite numbers", Printable(name)));
+      return false;
+    }
+    setting.value.is_integer = setting.value.is_integer && number == std::trunc(number);
+    setting.value.numbers.push_back(number);
+  }
+  Apply(setting, manifest, diagnostics);
   return diagnostics.error_count() == before;
 }
 

@@ -84,5 +84,7 @@ struct RenderPlan {
 // Checks a request without touching a driver. Reported: kSizeLimit, kUsage, kUnknownOutput,
 // kNotRenderable.
 bool PlanRender(const RenderRequest& request, RenderPlan& plan, Diagnostics& diagnostics);
+// The part of it that concerns the request's scene, if there is one.
+bool CheckScene(const RenderRequest& request, Diagnostics& diagnostics);
 
 }  // namespace texgraph::runtime

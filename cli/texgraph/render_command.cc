@@ -14,8 +14,8 @@
 #include "compiler/base/output_files.h"
 #include "compiler/textures/image.h"
 #include "runtime/exr.h"
+#include "runtime/live.h"
 #include "runtime/mesh_shader.h"
-#include "runtime/render.h"
 
 namespace texgraph::cli {
 namespace {
@@ -98,15 +98,7 @@ class Drawing {
   // False, with what is wrong reported: then no file has changed.
   bool Run() {
     if (!Prepare()) return false;
-    const uint32_t total = std::max(1u, options_.frames);
-    {
-      Progress progress(total, !options_.quiet);
-      for (uint32_t next = 0; next < total;) {
-        const uint32_t end = std::min(total, next + BatchSize());
-        if (!DrawFrames(next, end, progress)) return false;
-        next = end;
-      }
-    }
+    if (!DrawFrames()) return false;
     if (layout_ && !WriteSheet()) return false;
     ReportNan();
     return files_.Commit(diagnostics_);
@@ -147,36 +139,33 @@ class Drawing {
     return true;
   }
 
-  // So many frames that opening a context for them is nothing, and so few that they fit into
-  // memory.
-  uint32_t BatchSize() const {
-    const size_t bytes = size_t{options_.width} * options_.height * 4 * sizeof(float);
-    return static_cast<uint32_t>(std::clamp<size_t>((size_t{64} << 20) / bytes, 1, 64));
-  }
-
-  bool DrawFrames(uint32_t first, uint32_t end, Progress& progress) {
-    std::vector<runtime::RenderRequest> requests(end - first, request_);
-    if (options_.frames > 0) {
-      for (uint32_t i = first; i < end; ++i) SetFrame(options_, sweep_, i, requests[i - first]);
-    }
-    std::vector<runtime::RenderResult> results =
-        runtime::RenderAll(requests, [&progress] { progress.Advance(); });
-    for (uint32_t i = first; i < end; ++i) {
-      if (!TakeResult(i, results[i - first])) return false;
+  bool DrawFrames() {
+    Diagnostics refusal;
+    const auto renderer = runtime::LiveRenderer::Open(request_, refusal);
+    if (!renderer) return ReportFailure(std::move(refusal));
+    const uint32_t total = std::max(1u, options_.frames);
+    Progress progress(total, !options_.quiet);
+    for (uint32_t frame = 0; frame < total; ++frame) {
+      runtime::RenderResult result;
+      if (!DrawFrame(options_, sweep_, frame, *renderer, result))
+        return ReportFailure(std::move(result.diagnostics));
+      progress.Advance();
+      if (!TakeResult(frame, result)) return false;
     }
     return true;
   }
 
-  bool TakeResult(uint32_t frame, runtime::RenderResult& result) {
-    if (!result.ok()) {
-      const Diagnostic& first = result.diagnostics.all().front();
-      if (first.kind == DiagnosticKind::kDriverCompile) {
-        ReportRefusedShader(options_.output, DrawnShader(), first, diagnostics_);
-      } else {
-        diagnostics_.Append(std::move(result.diagnostics));
-      }
-      return false;
+  bool ReportFailure(Diagnostics&& failure) {
+    const Diagnostic& first = failure.all().front();
+    if (first.kind == DiagnosticKind::kDriverCompile) {
+      ReportRefusedShader(options_.output, DrawnShader(), first, diagnostics_);
+    } else {
+      diagnostics_.Append(std::move(failure));
     }
+    return false;
+  }
+
+  bool TakeResult(uint32_t frame, runtime::RenderResult& result) {
     if (frame == 0) {
       context_ = result.context;
       context_note_ = result.context_note;

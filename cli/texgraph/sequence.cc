@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "compiler/base/files.h"
@@ -83,27 +84,35 @@ std::optional<FoundSweep> FindSweep(const Sweep& sweep, const runtime::Manifest&
                                   limits[0], limits[1]));
     return std::nullopt;
   }
-  return FoundSweep{static_cast<size_t>(parameter - manifest.parameters.data()), range[0], range[1],
-                    ir::IsInteger(parameter->type)};
+  return FoundSweep{sweep.name, range[0], range[1], ir::IsInteger(parameter->type)};
 }
 
-void SetFrame(const RenderOptions& options, const std::optional<FoundSweep>& sweep, uint32_t frame,
-              runtime::RenderRequest& request) {
-  const double count = options.frames;
-  if (options.end_time)
-    request.time = options.time + (*options.end_time - options.time) * frame / count;
-  if (options.mesh.turntable && request.scene) {
-    const double yaw = options.mesh.scene.camera.yaw + 360 * (frame / count);
-    request.scene->camera.yaw = std::fmod(yaw, 360);
+bool DrawFrame(const RenderOptions& options, const std::optional<FoundSweep>& sweep, uint32_t frame,
+               runtime::LiveRenderer& renderer, runtime::RenderResult& result) {
+  const double count = std::max(options.frames, 1u);
+  double time = options.time;
+  if (options.end_time) time += (*options.end_time - options.time) * frame / count;
+  Diagnostics diagnostics;
+  if (options.mesh.turntable && renderer.request().scene) {
+    runtime::Camera camera = renderer.request().scene->camera;
+    camera.yaw = std::fmod(options.mesh.scene.camera.yaw + 360 * (frame / count), 360);
+    renderer.SetCamera(camera, diagnostics);
   }
-  if (!sweep) return;
-  // The last frame has the last value exactly.
-  const bool is_last = frame > 0 && frame + 1 == options.frames;
-  double value =
-      is_last ? sweep->last
-              : sweep->first + (sweep->last - sweep->first) * frame / std::max(count - 1, 1.0);
-  if (sweep->is_integer) value = std::nearbyint(value);
-  for (double& component : request.manifest.parameters[sweep->parameter].value) component = value;
+  if (sweep) {
+    // The last frame has the last value exactly.
+    const bool is_last = frame > 0 && frame + 1 == options.frames;
+    double value =
+        is_last ? sweep->last
+                : sweep->first + (sweep->last - sweep->first) * frame / std::max(count - 1, 1.0);
+    if (sweep->is_integer) value = std::nearbyint(value);
+    renderer.SetParameter(sweep->name, std::span<const double>(&value, 1), diagnostics);
+  }
+  if (diagnostics.error_count() == 0) {
+    result = renderer.Draw(time);
+  } else {
+    result.diagnostics = std::move(diagnostics);
+  }
+  return result.ok();
 }
 
 }  // namespace texgraph::cli

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "cli/texgraph/render_options.h"
-#include "runtime/render.h"
+#include "runtime/live.h"
 
 namespace texgraph::cli {
 
@@ -15,7 +15,7 @@ std::string FramePath(const std::string& output, uint32_t number);
 
 // A sweep whose parameter was found in a manifest.
 struct FoundSweep {
-  size_t parameter = 0;  // its index
+  std::string name;
   double first = 0;
   double last = 0;
   bool is_integer = false;
@@ -29,7 +29,8 @@ std::optional<FoundSweep> FindSweep(const Sweep& sweep, const runtime::Manifest&
 // Frame i of N has the time t0 + (t1 - t0) i / N, so that a period repeats without a double frame,
 // and the swept value a + (b - a) i / (N - 1), in each component; integers are rounded. On a
 // turntable the camera has gone i / N of the way round.
-void SetFrame(const RenderOptions& options, const std::optional<FoundSweep>& sweep, uint32_t frame,
-              runtime::RenderRequest& request);
+// False if it could not be drawn; why is in the result.
+bool DrawFrame(const RenderOptions& options, const std::optional<FoundSweep>& sweep, uint32_t frame,
+               runtime::LiveRenderer& renderer, runtime::RenderResult& result);
 
 }  // namespace texgraph::cli

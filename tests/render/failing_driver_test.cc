@@ -6,7 +6,7 @@
 
 #include <chrono>
 
-#include "runtime/render.h"
+#include "runtime/live.h"
 #include "tests/render/render_testing.h"
 
 namespace texgraph::runtime {
@@ -48,6 +48,26 @@ TEST(FailingDriverTest, CrashAtDrawing) {
   EXPECT_THAT(FirstMessage(result.diagnostics),
               AllOf(HasSubstr("while drawing"), HasSubstr("SIGSEGV")));
   EXPECT_THAT(result.context, HasSubstr("EGL"));
+}
+
+TEST(FailingDriverTest, CrashBetweenPictures) {
+  Diagnostics diagnostics;
+  const auto renderer =
+      LiveRenderer::Open(RequestWith(CRASH_AT_DRAWING_LIBRARY, ContextChoice::kAuto), diagnostics);
+  ASSERT_TRUE(renderer) << FirstMessage(diagnostics);
+  EXPECT_THAT(FirstMessage(renderer->Draw(0).diagnostics), HasSubstr("SIGSEGV"));
+  EXPECT_THAT(FirstMessage(renderer->Draw(0).diagnostics), HasSubstr("at an earlier picture"));
+}
+
+TEST(FailingDriverTest, LiveHangsAreEndedInTime) {
+  RenderRequest request = RequestWith(HANG_AT_DRAWING_LIBRARY, ContextChoice::kEgl);
+  request.timeout = 0.7;
+  Diagnostics diagnostics;
+  auto renderer = LiveRenderer::Open(request, diagnostics);
+  ASSERT_TRUE(renderer) << FirstMessage(diagnostics);
+  EXPECT_EQ(FirstName(renderer->Draw(0).diagnostics), "time-limit");
+  renderer.reset();
+  EXPECT_EQ(waitpid(-1, nullptr, WNOHANG), -1);  // no child is left
 }
 
 TEST(FailingDriverTest, HangsAreEndedInTime) {
