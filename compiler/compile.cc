@@ -11,43 +11,21 @@
 #include "compiler/glsl/print_glsl.h"
 #include "compiler/ir/print.h"
 #include "compiler/ir/verify.h"
+#include "compiler/manifest/check_textures.h"
+#include "compiler/manifest/graph_textures.h"
 #include "compiler/manifest/manifest.h"
 #include "compiler/manifest/pictures.h"
 #include "compiler/passes/passes.h"
 #include "compiler/spirv/compile_spirv.h"
+#include "compiler/textures/ktx2.h"
 #include "compiler/textures/prepare.h"
 
 namespace texgraph {
 namespace {
 
-// Every file of every texture must be an image that can be read, the layers of one array equally large, and a mask as
-// large as its picture.
-void CheckTextures(const graph::Graph& graph, const std::string& folder, const std::vector<std::string>& root_folders,
-                   Diagnostics& diagnostics) {
-  const Roots roots(root_folders, diagnostics);
-  for (const graph::Texture& texture : graph.textures) {
-    std::optional<textures::ImageInfo> first;
-    for (size_t i = 0; i < texture.files.size(); ++i) {
-      const textures::PictureSource source = manifest::PictureOf(texture, i, folder);
-      auto info = textures::ProbeImage(source.file, source.range, diagnostics, roots);
-      if (source.mask) {
-        auto mask = textures::ProbeImage(source.mask->file, source.mask->range, diagnostics, roots);
-        if (info && mask) CheckMaskSize(source, *info, *mask, diagnostics);
-      }
-      if (!info) continue;
-      if (!first) first = info;
-      if (info->width == first->width && info->height == first->height) continue;
-      diagnostics.Error(DiagnosticKind::kBadImage, texture.file_ranges[i],
-                        fmt::format("the layers of an array must be equally large; the first is {} x {}, this one {} x {}",
-                                    first->width, first->height, info->width, info->height));
-    }
-  }
-}
-
 // The pictures that the manifest names instead of their sources. False if one cannot be made.
 bool PreparePictures(const graph::Graph& graph, const std::vector<bool>& used, const std::string& folder,
-                     const CompileOptions& options, Compiled& compiled, Diagnostics& diagnostics) {
-  const Roots roots(options.roots, diagnostics);
+                     const Roots& roots, Compiled& compiled, Diagnostics& diagnostics) {
   for (uint32_t t = 0; t < graph.textures.size(); ++t) {
     const graph::Texture& texture = graph.textures[t];
     if (!used[t] || !texture.IsPrepared() || graph::FirstEqualTexture(graph, t) != t) continue;
@@ -60,9 +38,31 @@ bool PreparePictures(const graph::Graph& graph, const std::vector<bool>& used, c
                           "there is not enough memory to write this picture");
         return false;
       }
-      compiled.pictures.push_back({manifest::PreparedName(graph, t, layer), std::move(*png)});
+      compiled.files.push_back({manifest::PreparedName(graph, t, layer), std::move(*png)});
     }
   }
+  return true;
+}
+
+// Everything that is made beside the shader, and the manifest that names it. False if something cannot be made.
+bool MakeTextures(const Lowered& lowered, const glsl::ShaderInterface& interface, const CompileOptions& options,
+                  const std::string& folder, Compiled& compiled, Diagnostics& diagnostics) {
+  const graph::Graph& graph = *lowered.graph;
+  std::vector<manifest::DerivedTexture> derived;
+  if (options.prepare_files || options.derive_textures) {
+    const Roots roots(options.roots, diagnostics);
+    const std::vector<bool> used = manifest::UsedTextures(graph, *lowered.module, interface);
+    auto made = manifest::DeriveTextures(graph, used, folder, roots, diagnostics);
+    if (!made) return false;
+    derived = std::move(*made);
+    if (options.prepare_files && !PreparePictures(graph, used, folder, roots, compiled, diagnostics)) return false;
+  }
+  for (const manifest::DerivedTexture& texture : derived) {
+    const std::string name = manifest::DerivedName(graph, texture.texture);
+    if (options.prepare_files) compiled.files.push_back({name, textures::EncodeKtx2(*texture.data)});
+    if (options.derive_textures) compiled.textures.push_back({name, texture.data});
+  }
+  compiled.manifest = manifest::PrintManifest(*lowered.checked, *lowered.module, interface, options, folder, derived);
   return true;
 }
 
@@ -133,7 +133,7 @@ std::optional<Lowered> Lower(SourceId source, graph::DocumentFormat format, cons
   lowered.library = std::make_unique<blocks::Library>(module, sources, diagnostics, options.block_folders,
                                                       options.optimize);
   auto checked = graph::CheckGraph(*lowered.graph, settings, *lowered.library, module, diagnostics);
-  CheckTextures(*lowered.graph, std::string(FolderOf(sources.Name(source))), options.roots, diagnostics);
+  manifest::CheckTextures(*lowered.graph, std::string(FolderOf(sources.Name(source))), options.roots, diagnostics);
   if (!checked || diagnostics.HasErrors()) return std::nullopt;
   lowered.checked = std::make_unique<graph::CheckedGraph>(std::move(*checked));
 
@@ -179,12 +179,7 @@ std::optional<Compiled> Compile(SourceId source, graph::DocumentFormat format, c
   }
   const std::string folder(FolderOf(sources.Name(source)));
   compiled.dependencies = Dependencies(*lowered, folder);
-  if (options.prepare_pictures &&
-      !PreparePictures(*lowered->graph, manifest::UsedTextures(*lowered->graph, *lowered->module, interface), folder,
-                       options, compiled, diagnostics)) {
-    return std::nullopt;
-  }
-  compiled.manifest = manifest::PrintManifest(*lowered->checked, *lowered->module, interface, options, folder);
+  if (!MakeTextures(*lowered, interface, options, folder, compiled, diagnostics)) return std::nullopt;
   return compiled;
 }
 

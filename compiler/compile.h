@@ -18,6 +18,7 @@ namespace texgraph {
 namespace blocks { class Library; }
 namespace graph { struct CheckedGraph; struct Graph; }
 namespace ir { class Module; }
+namespace textures { struct TextureData; }
 
 enum class Target : uint8_t { kGlsl330, kGlsl450, kSpirv };
 // kShader: a whole fragment shader. kFunction: a GLSL function to paste into somebody's own.
@@ -38,9 +39,11 @@ struct CompileOptions {
   // the shader's path from there; "" is the graph's name with ShaderExtension().
   std::string manifest_folder;
   std::string shader_name;
-  // Pictures with a mask or a colour key are prepared, and the manifest names Compiled::pictures in their place. Off: the
-  // manifest names the sources, and says what is to be done with them.
-  bool prepare_pictures = false;
+  // Pictures with a mask or a colour key are prepared, and derived textures are made, as files: the manifest names
+  // Compiled::files in their place. Off: the manifest names the sources of pictures, and says what is to be done with them.
+  bool prepare_files = false;
+  // Derived textures (sheets, maps, means, ...) are made, as Compiled::textures.
+  bool derive_textures = false;
 };
 
 // ".frag", ".glsl" or ".spv".
@@ -54,11 +57,16 @@ struct Compiled {
   std::vector<uint32_t> spirv;   // kSpirv only
   std::string manifest;          // JSON, see docs/manifest.schema.json
   std::string dump;
-  struct Picture {
-    std::string file;  // in the manifest's folder, without a folder of its own
-    std::string png;
+  struct File {
+    std::string name;   // in the manifest's folder, without a folder of its own
+    std::string bytes;  // PNG or KTX 2.0
   };
-  std::vector<Picture> pictures;          // prepare_pictures: those of all textures that the shader uses
+  std::vector<File> files;  // prepare_files: those of all textures that the shader uses
+  struct Texture {
+    std::string file;  // what the manifest calls it
+    std::shared_ptr<const textures::TextureData> data;
+  };
+  std::vector<Texture> textures;          // derive_textures: those that the shader uses
   std::vector<std::string> dependencies;  // paths of the files that were read, beside the graph itself
 };
 

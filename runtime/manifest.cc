@@ -108,6 +108,7 @@ class Reader {
   void ReadParameter(const DocumentNode& node);
   void ReadTexture(const DocumentNode& node);
   void ReadWraps(const DocumentNode& node, textures::TextureOptions& options);
+  void CheckFiles(const DocumentNode& files, ManifestTexture& texture);
   void ReadMasks(const DocumentNode& node, ManifestTexture& texture);
   void ReadKey(const DocumentNode& node, ManifestTexture& texture);
 
@@ -195,16 +196,20 @@ void Reader::ReadWraps(const DocumentNode& node, textures::TextureOptions& optio
   static constexpr std::string_view kWraps[] = {"repeat", "clamp", "mirror"};
   const DocumentNode* wraps = Find(node, "wrap", DocumentKind::kArray, false);
   if (wraps == nullptr) return;
-  ir::Wrap* const targets[] = {&options.wrap_u, &options.wrap_v};
+  ir::Wrap* const targets[] = {&options.wrap_u, &options.wrap_v, &options.wrap_w};
+  const uint32_t count = options.is_3d ? 3 : 2;
   uint32_t index = 0;
   for (const DocumentNode& wrap : document_.children(*wraps)) {
-    if (index >= 2 || wrap.kind != DocumentKind::kString) {
-      Error(wrap.range, "'wrap' holds two names, of the directions u and v");
-      return;
+    if (index < count && wrap.kind == DocumentKind::kString) {
+      *targets[index++] = static_cast<ir::Wrap>(WordIndex(wrap, "wrap", kWraps));
+      continue;
     }
-    *targets[index++] = static_cast<ir::Wrap>(WordIndex(wrap, "wrap", kWraps));
+    index = count + 1;
+    break;
   }
-  if (index != 2) Error(wraps->range, "'wrap' holds two names, of the directions u and v");
+  if (index == count) return;
+  Error(wraps->range, options.is_3d ? "'wrap' holds three names, of the directions u, v and w"
+                                    : "'wrap' holds two names, of the directions u and v");
 }
 
 void Reader::ReadMasks(const DocumentNode& node, ManifestTexture& texture) {
@@ -248,16 +253,28 @@ void Reader::ReadKey(const DocumentNode& node, ManifestTexture& texture) {
   key.edge = Integer(*object, "edge", textures::kMaxKeyEdge).value_or(key.edge);
 }
 
+// What the shader does not sample may be made of files, or of none, that are not its texels yet.
+void Reader::CheckFiles(const DocumentNode& files, ManifestTexture& texture) {
+  texture.has_levels = texture.files.size() == 1 && texture.files[0].ends_with(".ktx2");
+  if (!texture.is_used) return;
+  const bool many = texture.options.is_array || texture.options.is_3d;
+  if (texture.files.empty() || (texture.files.size() > 1 && !many)) {
+    Error(files.range, "a texture has one file, an array texture one or more");
+  }
+}
+
 void Reader::ReadTexture(const DocumentNode& node) {
-  static constexpr std::string_view kTypes[] = {"sampler2D", "sampler2DArray"};
-  static constexpr std::string_view kStatus[] = {"used", "unused"};
+  static constexpr std::string_view kTypes[] = {"sampler2D", "sampler2DArray", "sampler3D"};
+  static constexpr std::string_view kStatus[] = {"used", "unused", "folded"};
   static constexpr std::string_view kSpaces[] = {"srgb", "linear"};
   static constexpr std::string_view kFilters[] = {"linear", "nearest"};
   static constexpr std::string_view kAlphas[] = {"opacity", "data"};
   ManifestTexture texture;
   texture.place = node.range;
   texture.name = Text(node, "name");
-  texture.options.is_array = Word(node, "type", true, kTypes) == 1;
+  const uint32_t type = Word(node, "type", true, kTypes);
+  texture.options.is_array = type == 1;
+  texture.options.is_3d = type == 2;
   texture.is_used = Word(node, "status", false, kStatus) == 0;
   texture.variable = Text(node, "variable", texture.is_used);
   texture.options.srgb = Word(node, "color_space", true, kSpaces) == 0;
@@ -278,9 +295,7 @@ void Reader::ReadTexture(const DocumentNode& node) {
         Error(file.range, "'files' holds names of files");
       }
     }
-    if (texture.files.empty() || (texture.files.size() > 1 && !texture.options.is_array)) {
-      Error(files->range, "a texture has one file, an array texture one or more");
-    }
+    CheckFiles(*files, texture);
   }
   ReadMasks(node, texture);
   ReadKey(node, texture);

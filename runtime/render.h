@@ -11,6 +11,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -90,10 +91,14 @@ RenderResult Render(const RenderRequest& request);
 std::vector<RenderResult> RenderAll(std::span<const RenderRequest> requests,
                                     const std::function<void()>& on_result = {});
 
-// Reads the images that the manifest's used textures name, relative to `folder`, from inside
-// `roots`. False with what is wrong in `diagnostics`.
+// Textures that were made in this process, by the file that the manifest names.
+using MadeTextures = std::map<std::string, std::shared_ptr<const textures::TextureData>>;
+
+// Reads the images and KTX 2.0 files that the manifest's used textures name, relative to `folder`,
+// from inside `roots`; what was `made` is taken from there. False with what is wrong in
+// `diagnostics`.
 bool LoadTextures(const Manifest& manifest, const std::string& folder,
                   std::vector<TextureBinding>& textures, Diagnostics& diagnostics,
-                  const Roots& roots = {});
+                  const Roots& roots = {}, const MadeTextures& made = {});
 
 }  // namespace texgraph::runtime

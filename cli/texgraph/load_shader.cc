@@ -44,6 +44,7 @@ bool CompileGraphShader(SourceId source, graph::DocumentFormat format, const Ren
                         Sources& sources, Shader& shader, Diagnostics& diagnostics) {
   CompileOptions compile = options.compile;
   compile.manifest_folder = shader.folder;
+  compile.derive_textures = true;
   if (!options.mesh.mesh.empty()) compile.emit = Emit::kFunction;  // the light goes around it
   auto compiled = Compile(source, format, compile, sources, diagnostics);
   if (!compiled || diagnostics.HasErrors()) return false;
@@ -54,6 +55,9 @@ bool CompileGraphShader(SourceId source, graph::DocumentFormat format, const Ren
   if (!manifest) return false;
   shader.manifest = std::move(*manifest);
   shader.text = std::move(compiled->glsl);
+  for (Compiled::Texture& texture : compiled->textures) {
+    shader.made.emplace(texture.file, std::move(texture.data));
+  }
   shader.inputs.insert(shader.inputs.end(), compiled->dependencies.begin(),
                        compiled->dependencies.end());
   return true;

@@ -9,6 +9,7 @@
 #include "compiler/base/diagnostics.h"
 #include "compiler/base/source.h"
 #include "runtime/manifest.h"
+#include "runtime/render.h"
 
 namespace texgraph::cli {
 
@@ -16,6 +17,7 @@ namespace texgraph::cli {
 struct Shader {
   std::string text;
   runtime::Manifest manifest;
+  runtime::MadeTextures made;       // in this process, where there is no file
   std::string folder;               // that the manifest's paths start from
   std::vector<std::string> inputs;  // all files that were read
 };

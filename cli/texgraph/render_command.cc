@@ -22,8 +22,9 @@ namespace {
 
 void AddTextureInputs(Shader& shader) {
   for (const runtime::ManifestTexture& texture : shader.manifest.textures) {
-    for (const std::string& file : texture.files)
-      shader.inputs.push_back(JoinPath(shader.folder, file));
+    for (const std::string& file : texture.files) {
+      if (!shader.made.contains(file)) shader.inputs.push_back(JoinPath(shader.folder, file));
+    }
   }
 }
 
@@ -273,7 +274,10 @@ void RunRender(const RenderOptions& options, Sources& sources, Diagnostics& diag
     if (!runtime::MakeShape(options.mesh.mesh)) shader.inputs.push_back(options.mesh.mesh);
     if (!CheckOutput(options.output, shader.inputs, diagnostics)) return;
   }
-  if (!runtime::LoadTextures(shader.manifest, shader.folder, textures, diagnostics, roots)) return;
+  if (!runtime::LoadTextures(shader.manifest, shader.folder, textures, diagnostics, roots,
+                             shader.made)) {
+    return;
+  }
   runtime::RenderRequest request = RequestFor(options, shader);
   request.textures = std::move(textures);
   request.scene = std::move(scene);

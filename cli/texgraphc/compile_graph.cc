@@ -35,8 +35,8 @@ void WriteOutputs(const Options& options, CompiledGraph& graph, OutputPlanner& p
   if (paths->shader == "-") files.Add("-", std::move(compiled.dump));
   files.Add(paths->shader, ShaderBytes(options.compile, compiled));
   if (!paths->manifest.empty()) files.Add(paths->manifest, std::move(compiled.manifest));
-  for (size_t i = 0; i < paths->pictures.size(); ++i) {
-    files.Add(paths->pictures[i], std::move(compiled.pictures[i].png));
+  for (size_t i = 0; i < paths->files.size(); ++i) {
+    files.Add(paths->files[i], std::move(compiled.files[i].bytes));
   }
   if (!paths->dependencies.empty()) {
     const std::string& target =
@@ -105,7 +105,7 @@ CompiledGraph CompileGraph(const Options& options, const std::string& path) {
   SourceId source = graph.sources.Add(standard_input ? "<stdin>" : path, std::move(*text));
   CompileOptions compile = options.compile;
   SetManifestPlace(options, compile);
-  compile.prepare_pictures = true;
+  compile.prepare_files = true;
   graph.compiled = Compile(source, format, compile, graph.sources, graph.diagnostics);
   if (options.no_warnings) graph.diagnostics.DropWarnings();
   if (options.warnings_are_errors) graph.diagnostics.PromoteWarnings();

@@ -80,12 +80,12 @@ std::optional<OutputPaths> OutputPlanner::Plan(const Compiled& compiled, Diagnos
         options_.dependency_file.empty() ? paths.shader + ".d" : options_.dependency_file;
   }
   if (!paths.manifest.empty()) {
-    for (const Compiled::Picture& picture : compiled.pictures) {
-      paths.pictures.push_back(JoinPath(std::string(FolderOf(paths.manifest)), picture.file));
+    for (const Compiled::File& file : compiled.files) {
+      paths.files.push_back(JoinPath(std::string(FolderOf(paths.manifest)), file.name));
     }
   }
   std::vector<const std::string*> all = {&paths.shader, &paths.manifest, &paths.dependencies};
-  for (const std::string& picture : paths.pictures) all.push_back(&picture);
+  for (const std::string& file : paths.files) all.push_back(&file);
   for (const std::string* path : all) {
     if (path->empty()) continue;
     std::string problem;

@@ -19,7 +19,7 @@ struct OutputPaths {
   std::string manifest;      // "": none
   std::string dependencies;  // "": none
   std::vector<std::string>
-      pictures;  // beside the manifest, one for each of Compiled; none without it
+      files;  // beside the manifest, one for each of Compiled; none without it
 };
 
 // What the manifest says about places, before the graph's name is known: see compile.h.

@@ -62,11 +62,12 @@ void GraphReader::ReadGrid(const DocumentNode& node, const TextureKeys& keys, Ow
   if (!grid) return ReportMissing(node, owner, "grid");
   texture.grid_range = grid->range;
   if (!ReadSides(grid, owner, kMaxGridSide, texture.grid) || is_sheet) return;
-  const size_t places = size_t{texture.grid[0]} * texture.grid[1];
-  if (places < texture.files.size()) {
-    BadValue(*grid,
-             fmt::format("the grid has {} places for {} layers", places, texture.files.size()));
-  }
+  const size_t count = texture.files.size();
+  const size_t columns = texture.grid[0];
+  const size_t rows = (count + columns - 1) / columns;
+  if (rows == texture.grid[1] || count == 0) return;
+  BadValue(*grid, fmt::format("{} layers in {} columns take {} rows, but the grid has {}", count,
+                              columns, rows, texture.grid[1]));
 }
 
 void GraphReader::ReadFile(const DocumentNode& node, Owner owner, Texture& texture) {

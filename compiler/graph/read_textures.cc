@@ -179,7 +179,7 @@ void GraphReader::ReadSampling(const TextureKeys& keys, Owner owner, Texture& te
                            {"clamp", TextureWrap::kClamp},
                            {"mirror", TextureWrap::kMirror}},
                           out);
-    if (key == Key::kWrap) texture.wrap_v = texture.wrap_u;
+    if (key == Key::kWrap) texture.wrap_v = texture.wrap_w = texture.wrap_u;
   }
   ReadBool(At(keys, Key::kMipmaps), owner, texture.mipmaps);
   if (!texture.mipmaps && At(keys, Key::kWeights)) {

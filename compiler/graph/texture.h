@@ -102,6 +102,7 @@ struct Texture {
   bool alpha_is_opacity = true;  // "alpha": "opacity" or "data"
   TextureFilter filter = TextureFilter::kLinear;
   TextureWrap wrap_u = TextureWrap::kRepeat, wrap_v = TextureWrap::kRepeat;
+  TextureWrap wrap_w = TextureWrap::kRepeat;  // of volumes: what "wrap" says
   bool mipmaps = true;
   std::optional<int> max_level;  // "max_level": the coarsest mip level that may be used
 

@@ -7,11 +7,10 @@
 #include <string_view>
 #include <vector>
 
-#include "compiler/base/files.h"
 #include "compiler/base/text.h"
 #include "compiler/graph/graph.h"
 #include "compiler/manifest/json_writer.h"
-#include "compiler/manifest/pictures.h"
+#include "compiler/manifest/print_textures.h"
 #include "compiler/manifest/usage.h"
 
 namespace texgraph::manifest {
@@ -60,12 +59,13 @@ class Printer {
  public:
   Printer(const graph::CheckedGraph& graph, const ir::Module& module,
           const glsl::ShaderInterface& shader, const CompileOptions& options,
-          const std::string& graph_folder)
+          const std::string& graph_folder, std::span<const DerivedTexture> derived)
       : graph_(graph),
         module_(module),
         shader_(shader),
         options_(options),
-        graph_folder_(graph_folder) {}
+        graph_folder_(graph_folder),
+        derived_(derived) {}
 
   std::string Print() {
     json_.OpenObject();
@@ -79,7 +79,7 @@ class Printer {
     PrintInputs();
     PrintOutputs();
     PrintParameters();
-    PrintTextures();
+    PrintTextures({*graph_.graph, module_, shader_, options_, graph_folder_, derived_}, json_);
     json_.CloseObject();
     return json_.Take();
   }
@@ -189,100 +189,12 @@ class Printer {
     PrintNumber("constant_id", entry->constant_id);
   }
 
-  void PrintTextures() {
-    json_.OpenList("textures");
-    const std::vector<graph::Texture>& textures = graph_.graph->textures;
-    for (size_t i = 0; i < textures.size(); ++i) {
-      uint32_t same = graph::FirstEqualTexture(*graph_.graph, static_cast<uint32_t>(i));
-      PrintTexture(static_cast<uint32_t>(i), textures[i], textures[same]);
-    }
-    json_.CloseList();
-  }
-
-  // `sampled`: the texture whose sampler it shares, perhaps itself.
-  void PrintTexture(uint32_t index, const graph::Texture& texture, const graph::Texture& sampled) {
-    const Entry* entry = Find(shader_.textures, sampled.name);
-    json_.OpenObject();
-    json_.String("name", texture.name);
-    json_.String("type", texture.is_array ? "sampler2DArray" : "sampler2D");
-    json_.String("status", entry != nullptr ? "used" : "unused");
-    if (entry != nullptr) {
-      json_.String("variable", entry->name);
-      PrintNumber("location", entry->location);
-      PrintNumber("binding", entry->binding);
-    }
-    // What the shader does not sample is not made.
-    const bool prepared = texture.IsPrepared() && options_.prepare_pictures && entry != nullptr;
-    std::vector<std::string> files;
-    for (size_t layer = 0; layer < texture.files.size(); ++layer) {
-      files.push_back(prepared ? JsonQuoted(PreparedName(*graph_.graph, index, layer))
-                               : FileJson(texture.files[layer]));
-    }
-    json_.Raw("files", JsonList(files));
-    if (prepared) {
-      json_.OpenObject("prepared_from");
-      files.clear();
-      for (std::string_view file : texture.files) files.push_back(FileJson(file));
-      json_.Raw("files", JsonList(files));
-    }
-    PrintPreparation(texture);
-    if (prepared) json_.CloseObject();
-    json_.String("alpha", texture.alpha_is_opacity ? "opacity" : "data");
-    json_.String("color_space",
-                 texture.color_space == graph::ColorSpace::kSrgb ? "srgb" : "linear");
-    json_.String("filter", texture.filter == graph::TextureFilter::kLinear ? "linear" : "nearest");
-    json_.Raw("wrap", JsonList({JsonQuoted(WrapName(texture.wrap_u)),
-                                JsonQuoted(WrapName(texture.wrap_v))}));
-    json_.Bool("mipmaps", texture.mipmaps);
-    if (texture.max_level) json_.Integer("max_level", *texture.max_level);
-    json_.CloseObject();
-  }
-
-  std::string FileJson(std::string_view file) const {
-    const std::string path = JoinPath(graph_folder_, file);
-    return JsonQuoted(file.starts_with('/') ? path : RelativePath(path, options_.manifest_folder));
-  }
-
-  void PrintPreparation(const graph::Texture& texture) {
-    if (!texture.masks.empty()) {
-      static constexpr std::string_view kChannels[] = {"red", "green", "blue", "alpha"};
-      json_.OpenList("masks");
-      for (const graph::Mask& mask : texture.masks) {
-        json_.OpenObject();
-        json_.Raw("file", FileJson(mask.file));
-        json_.String("channel", kChannels[static_cast<size_t>(mask.channel)]);
-        json_.Bool("invert", mask.invert);
-        json_.CloseObject();
-      }
-      json_.CloseList();
-    }
-    if (!texture.key) return;
-    json_.OpenObject("key");
-    std::vector<std::string> numbers;
-    for (double number : texture.key->color) numbers.push_back(DoubleText(number));
-    json_.Raw("color", JsonList(numbers));
-    json_.Raw("tolerance", DoubleText(texture.key->tolerance));
-    json_.Integer("edge", texture.key->edge);
-    json_.CloseObject();
-  }
-
-  static std::string_view WrapName(graph::TextureWrap wrap) {
-    switch (wrap) {
-      case graph::TextureWrap::kRepeat:
-        return "repeat";
-      case graph::TextureWrap::kClamp:
-        return "clamp";
-      case graph::TextureWrap::kMirror:
-        return "mirror";
-    }
-    return {};
-  }
-
   const graph::CheckedGraph& graph_;
   const ir::Module& module_;
   const glsl::ShaderInterface& shader_;
   const CompileOptions& options_;
   const std::string& graph_folder_;
+  std::span<const DerivedTexture> derived_;
   JsonWriter json_;
 };
 
@@ -290,8 +202,9 @@ class Printer {
 
 std::string PrintManifest(const graph::CheckedGraph& graph, const ir::Module& module,
                           const glsl::ShaderInterface& shader, const CompileOptions& options,
-                          const std::string& graph_folder) {
-  return Printer(graph, module, shader, options, graph_folder).Print();
+                          const std::string& graph_folder,
+                          std::span<const DerivedTexture> derived) {
+  return Printer(graph, module, shader, options, graph_folder, derived).Print();
 }
 
 }  // namespace texgraph::manifest

@@ -5,19 +5,22 @@
 // text depends on the arguments alone.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "compiler/compile.h"
 #include "compiler/glsl/print_glsl.h"
 #include "compiler/graph/checked_graph.h"
 #include "compiler/ir/module.h"
+#include "compiler/manifest/graph_textures.h"
 
 namespace texgraph::manifest {
 
 // `module` is the one that was printed as the shader, which declares `shader`. The graph's file
-// names are relative to `graph_folder`.
+// names are relative to `graph_folder`. `derived`: those that were made.
 std::string PrintManifest(const graph::CheckedGraph& graph, const ir::Module& module,
                           const glsl::ShaderInterface& shader, const CompileOptions& options,
-                          const std::string& graph_folder);
+                          const std::string& graph_folder,
+                          std::span<const DerivedTexture> derived = {});
 
 }  // namespace texgraph::manifest

@@ -61,6 +61,27 @@ class Legend {
   std::unordered_map<uint64_t, int32_t> numbers_;
 };
 
+// "; the nearest there is #3a7d2c, number 2": by the sum of the channels' squared distances.
+std::string NearestText(const Image& image, std::span<const std::array<uint8_t, 3>> legend,
+                        const MapColor& color) {
+  const uint32_t scale = image.bits == 16 ? 257 : 1;
+  size_t nearest = 0;
+  uint64_t least = UINT64_MAX;
+  for (size_t i = 0; i < legend.size(); ++i) {
+    uint64_t distance = 0;
+    for (size_t c = 0; c < 3; ++c) {
+      const int64_t difference = int64_t{legend[i][c]} * scale - color[c];
+      distance += static_cast<uint64_t>(difference * difference);
+    }
+    if (distance >= least) continue;
+    least = distance;
+    nearest = i;
+  }
+  const std::array<uint8_t, 3>& rgb = legend[nearest];
+  return fmt::format("; the nearest there is #{:02x}{:02x}{:02x}, number {}", rgb[0], rgb[1],
+                     rgb[2], nearest);
+}
+
 std::optional<int32_t> NumberOf(const Legend& legend, const MapColor& color) {
   if (!legend.empty()) return legend.Find(color);
   if (color[0] != color[1] || color[0] != color[2]) return std::nullopt;
@@ -99,8 +120,9 @@ std::optional<NumberMap> MapOfImage(const Image& image,
             DiagnosticKind::kBadImage, range,
             fmt::format("pixel ({}, {}) of the map '{}' is {}, which {}", x, y, Printable(name),
                         Hex(image, color),
-                        legend.empty() ? "is not grey: a map of colours needs a legend"
-                                       : "is not in the legend"));
+                        legend.empty()
+                            ? "is not grey: a map of colours needs a legend"
+                            : "is not in the legend" + NearestText(image, legend, color)));
         return std::nullopt;
       }
       row[x] = *number;

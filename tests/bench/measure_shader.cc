@@ -72,6 +72,7 @@ Drawable Prepare(const std::string& path, std::string_view text,
   options.target = Target::kSpirv;
   options.manifest_folder = std::string(FolderOf(path));
   options.settings = settings;
+  options.derive_textures = true;
   auto ours = Compile(source, graph::FormatOf(path, text), options, sources, diagnostics);
   if (!ours) return fail("the graph does not compile");
   std::optional<Weight> weight = WeightOf(ours->spirv);
@@ -88,7 +89,10 @@ Drawable Prepare(const std::string& path, std::string_view text,
   request.shader = ours->glsl;
   request.manifest = *manifest;
   request.width = request.height = kSide;
-  if (!runtime::LoadTextures(*manifest, options.manifest_folder, request.textures, diagnostics)) {
+  runtime::MadeTextures made;
+  for (const Compiled::Texture& texture : ours->textures) made.emplace(texture.file, texture.data);
+  if (!runtime::LoadTextures(*manifest, options.manifest_folder, request.textures, diagnostics, {},
+                             made)) {
     return fail("the pictures cannot be read");
   }
   return drawable;

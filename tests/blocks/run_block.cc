@@ -18,7 +18,7 @@
 #include "compiler/ir/evaluate.h"
 #include "compiler/ir/module.h"
 #include "compiler/ir/verify.h"
-#include "compiler/manifest/pictures.h"
+#include "compiler/manifest/graph_textures.h"
 #include "compiler/textures/texels.h"
 
 namespace texgraph::blocks {
@@ -291,9 +291,9 @@ Textures LoadTextures(const Lowered& lowered, const std::string& folder,
   loaded.textures.reserve(module.globals.size());
   loaded.by_global.resize(module.globals.size());
   for (size_t i = 0; i < module.globals.size(); ++i) {
-    for (const graph::Texture& texture : lowered.graph->textures) {
+    for (uint32_t t = 0; t < lowered.graph->textures.size(); ++t) {
       if (module.globals[i].kind != ir::GlobalKind::kTexture ||
-          module.globals[i].name != texture.name) {
+          module.globals[i].name != lowered.graph->textures[t].name) {
         continue;
       }
       if (auto known = given.find(std::string(texture.name)); known != given.end()) {
@@ -301,19 +301,9 @@ Textures LoadTextures(const Lowered& lowered, const std::string& folder,
         continue;
       }
       Diagnostics diagnostics;
-      std::vector<textures::Image> images;
-      for (size_t layer = 0; layer < texture.files.size(); ++layer) {
-        auto image =
-            textures::ReadPicture(manifest::PictureOf(texture, layer, folder), diagnostics);
-        EXPECT_TRUE(image.has_value());
-        if (image) images.push_back(std::move(*image));
-      }
-      textures::TextureOptions options;
-      options.is_array = texture.is_array;
-      options.srgb = texture.color_space == graph::ColorSpace::kSrgb;
-      options.alpha_is_opacity = texture.alpha_is_opacity;
-      auto data = textures::MakeTexture(images, options, texture.name, {}, diagnostics);
+      auto data = manifest::MakeGraphTexture(*lowered.graph, t, folder, {}, diagnostics);
       EXPECT_TRUE(data.has_value());
+      if (!data) continue;
       loaded.textures.push_back(textures::ToTexture(*data));
       loaded.by_global[i] = &loaded.textures.back();
     }

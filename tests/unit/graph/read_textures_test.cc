@@ -73,6 +73,7 @@ TEST(ReadTextures, ReadsPatterns) {
   EXPECT_TRUE(tree.is_3d);
   EXPECT_FALSE(tree.is_array);
   EXPECT_EQ(tree.wrap_u, TextureWrap::kClamp);
+  EXPECT_EQ(tree.wrap_w, TextureWrap::kClamp);
 }
 
 TEST(ReadTextures, ReadsMaps) {
@@ -202,7 +203,7 @@ constexpr Mistake kMistakes[] = {
     {R"({ "g": { "layers": ["a.png"], "pack": "volume", "edges": "match" } })",
      "1:78 graph-shape (1:68)", "packed as an array"},
     {R"({ "g": { "layers": ["a.png", "b.png"], "pack": "atlas", "grid": [1, 1] } })",
-     "1:94 bad-value", "1 places for 2 layers"},
+     "1:94 bad-value", "2 layers in 1 columns take 2 rows"},
     {R"({ "g": { "sheet": "a.png" } })", "1:32 missing-key", "'grid'"},
     {R"({ "g": { "sheet": "a.png", "grid": [0, 2] } })", "1:65 bad-value", "columns and rows"},
     {R"({ "s": { "sprites": [] } })", "1:32 missing-key", "'cells'"},

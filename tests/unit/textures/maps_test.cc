@@ -60,11 +60,13 @@ TEST(MapsTest, LegendsGiveColorsNumbers) {
 }
 
 TEST(MapsTest, SaysWhichPixelIsWrong) {
-  const Rgb legend[] = {{0x3a, 0x7d, 0x2c}};
+  const Rgb legend[] = {{0xff, 0x7d, 0x2d}, {0x3a, 0x7d, 0x2c}, {0x3a, 0x7d, 0x30}};
   EXPECT_EQ(Refusal(MakeImage(1, 2, 3, 8, {0x3a, 0x7d, 0x2c, 0x3a, 0x7d, 0x2d}), legend),
-            "pixel (0, 1) of the map 'where' is #3a7d2d, which is not in the legend");
+            "pixel (0, 1) of the map 'where' is #3a7d2d, which is not in the legend; the nearest "
+            "there is #3a7d2c, number 1");
   EXPECT_EQ(Refusal(MakeImage(1, 1, 3, 16, {0x3a3a, 0x7d7d, 0x2c2d}), legend),
-            "pixel (0, 0) of the map 'where' is #3a3a7d7d2c2d, which is not in the legend");
+            "pixel (0, 0) of the map 'where' is #3a3a7d7d2c2d, which is not in the legend; the "
+            "nearest there is #3a7d2c, number 1");
   EXPECT_EQ(Refusal(MakeImage(1, 1, 3, 8, {1, 1, 2}), {}),
             "pixel (0, 0) of the map 'where' is #010102, which is not grey: a map of colours needs "
             "a legend");

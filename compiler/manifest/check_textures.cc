@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/manifest/check_textures.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "compiler/base/files.h"
+#include "compiler/manifest/pictures.h"
+#include "compiler/textures/maps.h"
+#include "compiler/textures/sheets.h"
+
+namespace texgraph::manifest {
+namespace {
+
+// Every number of a map's picture must be one of what it counts. Pictures have their pixels
+// counted from the left top corner, maps from v = 0.
+bool CheckNumbers(const graph::Graph& graph, const graph::Texture& texture,
+                  const textures::NumberMap& map, Diagnostics& diagnostics) {
+  const std::optional<graph::Reach> reach = graph::ReachOf(graph, texture);
+  if (!reach) return true;
+  const std::optional<size_t> wrong = textures::FindOutOfRange(map, reach->count);
+  if (!wrong) return true;
+  diagnostics
+      .Error(DiagnosticKind::kValueRange, texture.file_ranges[0],
+             fmt::format("pixel ({}, {}) of the map '{}': {}", *wrong % map.width,
+                         map.height - 1 - *wrong / map.width, texture.name,
+                         graph::BeyondReach(*reach, map.numbers[*wrong])))
+      .AddNote(reach->range, fmt::format("'{}' is here", reach->name));
+  return false;
+}
+
+void DecodeMap(const graph::Graph& graph, graph::Texture& texture, const std::string& folder,
+               const Roots& roots, Diagnostics& diagnostics) {
+  const std::string path = JoinPath(folder, texture.files[0]);
+  const SourceRange range = texture.file_ranges[0];
+  const auto info = textures::ProbeImage(path, range, diagnostics, roots);
+  if (!info || !graph::CheckMapSize(info->width, info->height, texture, range, diagnostics)) return;
+  const auto image = textures::ReadImage(path, range, diagnostics, roots);
+  if (!image) return;
+  std::vector<std::array<uint8_t, 3>> legend;
+  for (const graph::LegendColor& color : texture.legend) legend.push_back(color.rgb);
+  auto map = textures::MapOfImage(*image, legend, texture.name, range, diagnostics);
+  if (!map || !CheckNumbers(graph, texture, *map, diagnostics)) return;
+  texture.map = {map->width, map->height, std::move(map->numbers)};
+}
+
+// Every file must be an image that can be read, the layers of one array equally large, and a mask
+// as large as its picture.
+void CheckPictures(const graph::Texture& texture, const std::string& folder, const Roots& roots,
+                   Diagnostics& diagnostics) {
+  std::optional<textures::ImageInfo> first;
+  for (size_t i = 0; i < texture.files.size(); ++i) {
+    const textures::PictureSource source = PictureOf(texture, i, folder);
+    const auto info = textures::ProbeImage(source.file, source.range, diagnostics, roots);
+    if (source.mask) {
+      const auto mask =
+          textures::ProbeImage(source.mask->file, source.mask->range, diagnostics, roots);
+      if (info && mask) CheckMaskSize(source, *info, *mask, diagnostics);
+    }
+    if (!info) continue;
+    if (texture.kind == graph::TextureKind::kSheet) {
+      textures::CheckSheet(*info, texture.grid[0], texture.grid[1], texture.name,
+                           texture.grid_range, diagnostics);
+    }
+    if (!first) first = info;
+    if (info->width == first->width && info->height == first->height) continue;
+    diagnostics.Error(
+        DiagnosticKind::kBadImage, texture.file_ranges[i],
+        fmt::format(
+            "the layers of an array must be equally large; the first is {} x {}, this one {} x {}",
+            first->width, first->height, info->width, info->height));
+  }
+}
+
+}  // namespace
+
+void CheckTextures(graph::Graph& graph, const std::string& folder,
+                   const std::vector<std::string>& root_folders, Diagnostics& diagnostics) {
+  const Roots roots(root_folders, diagnostics);
+  for (graph::Texture& texture : graph.textures) {
+    if (texture.kind != graph::TextureKind::kMap) {
+      CheckPictures(texture, folder, roots, diagnostics);
+    } else if (!texture.files.empty()) {
+      DecodeMap(graph, texture, folder, roots, diagnostics);
+    }
+  }
+}
+
+}  // namespace texgraph::manifest

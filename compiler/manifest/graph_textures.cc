@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/manifest/graph_textures.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "compiler/manifest/pictures.h"
+#include "compiler/textures/maps.h"
+#include "compiler/textures/means.h"
+#include "compiler/textures/sheets.h"
+#include "compiler/textures/sprites.h"
+
+namespace texgraph::manifest {
+namespace {
+
+using graph::TextureKind;
+using textures::TextureData;
+
+textures::NumberMap NumbersOf(const graph::Texture& texture) {
+  return {texture.map.columns, texture.map.rows, texture.map.numbers};
+}
+
+class Maker {
+ public:
+  Maker(const graph::Graph& graph, const std::string& folder, const Roots& roots,
+        Diagnostics& diagnostics)
+      : graph_(graph), folder_(folder), roots_(roots), diagnostics_(diagnostics) {}
+
+  std::optional<TextureData> Make(uint32_t index) {
+    const graph::Texture& texture = graph_.textures[index];
+    switch (texture.kind) {
+      case TextureKind::kFile:
+      case TextureKind::kLayers:
+      case TextureKind::kSheet:
+        return MakePictures(texture);
+      case TextureKind::kMap:
+      case TextureKind::kLists:
+        return textures::MapTexture(NumbersOf(texture));
+      case TextureKind::kSprites:
+        return MakeSprites(texture);
+      case TextureKind::kMeans:
+        return MakeMeans(texture, index);
+    }
+    return std::nullopt;
+  }
+
+ private:
+  // One picture for each pattern.
+  std::optional<std::vector<textures::Image>> ReadPictures(const graph::Texture& texture) {
+    std::vector<textures::Image> pictures;
+    for (size_t layer = 0; layer < texture.files.size(); ++layer) {
+      auto picture =
+          textures::ReadPicture(PictureOf(texture, layer, folder_), diagnostics_, roots_);
+      if (!picture) return std::nullopt;
+      pictures.push_back(std::move(*picture));
+    }
+    if (texture.kind != TextureKind::kSheet) return pictures;
+    return textures::CutSheet(pictures[0], texture.grid[0], texture.grid[1], texture.name,
+                              texture.grid_range, diagnostics_);
+  }
+
+  std::optional<TextureData> MakePictures(const graph::Texture& texture) {
+    const auto pictures = ReadPictures(texture);
+    if (!pictures) return std::nullopt;
+    const textures::TextureOptions options = OptionsOf(texture);
+    if (texture.pack == graph::TexturePack::kAtlas) {
+      return textures::MakeAtlas(*pictures, texture.grid[0], options, texture.name, texture.range,
+                                 diagnostics_);
+    }
+    return textures::MakeTexture(*pictures, options, texture.name, texture.range, diagnostics_);
+  }
+
+  std::optional<TextureData> MakeSprites(const graph::Texture& texture) {
+    const graph::SpriteMap& map = texture.sprites;
+    std::vector<textures::PlacedSprite> sprites;
+    for (size_t i = 0; i < map.sprites.size(); ++i) {
+      const graph::Sprite& sprite = map.sprites[i];
+      sprites.push_back({{sprite.pattern, sprite.at[0], sprite.at[1]}, map.ranges[i]});
+    }
+    const auto patterns = texture.of ? graph_.textures[*texture.of].PatternCount()
+                                     : static_cast<uint32_t>(graph::kMaxMapNumber) + 1;
+    return textures::SpritesTexture(sprites, map.columns, map.rows, map.layers, patterns,
+                                    texture.name, texture.range, diagnostics_);
+  }
+
+  // The means of the patterns that a map, perhaps by way of lists, leads to.
+  std::optional<TextureData> MakeMeans(const graph::Texture& texture, uint32_t index) {
+    const std::optional<uint32_t> found = graph::PatternsOf(graph_, index);
+    if (!found) return std::nullopt;
+    const graph::Texture& patterns = graph_.textures[*found];
+    const auto pictures = ReadPictures(patterns);
+    if (!pictures) return std::nullopt;
+    // However the patterns are packed, their means are those of single layers.
+    textures::TextureOptions options = OptionsOf(patterns);
+    options.is_array = true;
+    options.is_3d = options.mipmaps = options.match_edges = false;
+    options.weights.clear();
+    const auto layers =
+        textures::MakeTexture(*pictures, options, patterns.name, patterns.range, diagnostics_);
+    if (!layers) return std::nullopt;
+    std::vector<textures::MeanColor> means =
+        textures::PatternMeans(*layers, patterns.alpha_is_opacity);
+    const graph::Texture& map = graph_.textures[*texture.of];
+    const graph::Texture& counted = graph_.textures[*map.of];
+    if (counted.kind == TextureKind::kLists) {
+      means = textures::ListMeans(NumbersOf(counted), means, patterns.alpha_is_opacity);
+    }
+    return textures::MeansTexture(NumbersOf(map), means, texture.dithered,
+                                  patterns.alpha_is_opacity, texture.name, texture.range,
+                                  diagnostics_);
+  }
+
+  const graph::Graph& graph_;
+  const std::string& folder_;
+  const Roots& roots_;
+  Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+textures::TextureOptions OptionsOf(const graph::Texture& texture) {
+  textures::TextureOptions options;
+  options.srgb = texture.color_space == graph::ColorSpace::kSrgb;
+  options.alpha_is_opacity = texture.alpha_is_opacity;
+  options.mipmaps = texture.mipmaps;
+  if (texture.max_level) options.max_level = static_cast<uint32_t>(*texture.max_level);
+  options.filter =
+      texture.filter == graph::TextureFilter::kNearest ? ir::Filter::kNearest : ir::Filter::kLinear;
+  options.wrap_u = static_cast<ir::Wrap>(texture.wrap_u);
+  options.wrap_v = static_cast<ir::Wrap>(texture.wrap_v);
+  options.wrap_w = static_cast<ir::Wrap>(texture.wrap_w);
+  options.is_array = texture.is_array;
+  options.is_3d = texture.is_3d;
+  options.match_edges = texture.match_edges;
+  options.weights = texture.weights;
+  return options;
+}
+
+std::optional<TextureData> MakeGraphTexture(const graph::Graph& graph, uint32_t index,
+                                            const std::string& folder, const Roots& roots,
+                                            Diagnostics& diagnostics) {
+  return Maker(graph, folder, roots, diagnostics).Make(index);
+}
+
+std::string DerivedName(const graph::Graph& graph, uint32_t texture) {
+  const graph::Texture& first = graph.textures[graph::FirstEqualTexture(graph, texture)];
+  return fmt::format("{}.{}.ktx2", graph.name, first.name);
+}
+
+std::optional<std::vector<DerivedTexture>> DeriveTextures(const graph::Graph& graph,
+                                                          const std::vector<bool>& used,
+                                                          const std::string& folder,
+                                                          const Roots& roots,
+                                                          Diagnostics& diagnostics) {
+  std::vector<DerivedTexture> derived;
+  for (uint32_t t = 0; t < graph.textures.size(); ++t) {
+    if (!used[t] || !graph.textures[t].IsDerived() || graph::FirstEqualTexture(graph, t) != t) {
+      continue;
+    }
+    auto data = MakeGraphTexture(graph, t, folder, roots, diagnostics);
+    if (!data) return std::nullopt;
+    derived.push_back({t, std::make_shared<const TextureData>(std::move(*data))});
+  }
+  return derived;
+}
+
+}  // namespace texgraph::manifest
