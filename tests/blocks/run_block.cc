@@ -292,8 +292,9 @@ Textures LoadTextures(const Lowered& lowered, const std::string& folder,
   loaded.by_global.resize(module.globals.size());
   for (size_t i = 0; i < module.globals.size(); ++i) {
     for (uint32_t t = 0; t < lowered.graph->textures.size(); ++t) {
+      const graph::Texture& texture = lowered.graph->textures[t];
       if (module.globals[i].kind != ir::GlobalKind::kTexture ||
-          module.globals[i].name != lowered.graph->textures[t].name) {
+          module.globals[i].name != texture.name) {
         continue;
       }
       if (auto known = given.find(std::string(texture.name)); known != given.end()) {
