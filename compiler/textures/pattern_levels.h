@@ -11,26 +11,29 @@
 
 namespace texgraph::textures {
 
-// The shares of `layers` patterns, with the sum 1: equal ones if `weights` has not as many.
+// The shares of `layers` patterns, with the sum 1: equal ones if there are not as many weights, or
+// if their sum is not above 0.
 std::vector<double> LayerShares(std::span<const double> weights, size_t layers);
 
-// Moves the outermost texels of every layer and level so that a tiling of the patterns, sampled
-// bilinearly with wrap repeat, has no jump in value at any border, and none in slope that is larger
-// in the mean than inside of the patterns: levels of 2x2 texels or more. Colours stay within 0
-// to 1. Patterns that have equal outermost texels keep them. Colours that alpha weighs
-// (`alpha_is_opacity`) have a mean that is weighed so.
+// Changes every layer near its borders, in levels of 2x2 texels or more, so that a tiling of the
+// patterns, sampled bilinearly with wrap repeat, has no jump in value at any border, and none in
+// slope that is larger in the mean than those inside of the patterns, as far as that can be had:
+// the outermost texels alone where that is enough, more where it is not. Numbers stay within 0 to
+// 1. Level 0 stays as it is if its outermost texels are equal in all layers. Where alpha is
+// opacity, it weighs the colours of the mean that texels are moved to.
 void MatchEdges(ir::Texture& patterns, std::span<const double> shares, bool alpha_is_opacity);
 
 // Gives all layers of the 1x1 level the mean of all patterns, and lets the level before it go there
-// part of the way.
+// part of the way. Level 0 stays as it is.
 void MixCoarsestLevels(ir::Texture& patterns, std::span<const double> shares,
                        bool alpha_is_opacity);
 
-// Mean absolute differences of neighbours at borders of two different layers, as parts of those
-// inside: of values, and of slopes. 0 where both are 0, infinity where only those inside are.
+// Mean absolute differences of neighbouring texels at borders of two different layers, as parts of
+// those inside of the layers, over both axes and all channels. 0 where there are none at borders,
+// infinity where there are none inside.
 struct BorderRatios {
   double values = 0;
-  double slopes = 0;
+  double slopes = 0;  // the larger of second differences, and of jumps of the bilinear slope
 };
 BorderRatios MeasureBorders(const ir::Texture::Level& level);
 

@@ -5,6 +5,7 @@
 
 #include <new>
 
+#include "compiler/textures/pattern_levels.h"
 #include "compiler/textures/texel_chain.h"
 
 namespace texgraph::textures {
@@ -22,6 +23,11 @@ TextureData Build(std::span<const Image> layers, const TextureOptions& options) 
   base.texels.reserve(size_t{base.width} * base.height * base.depth);
   for (const Image& image : layers) AppendPicture(image, options.srgb, base.texels);
   if (options.mipmaps && options.max_level != 0u) BuildLevels(chain, options.alpha_is_opacity);
+  if (options.is_array && (options.match_edges || !options.weights.empty())) {
+    const std::vector<double> shares = LayerShares(options.weights, layers.size());
+    if (options.match_edges) MatchEdges(chain, shares, options.alpha_is_opacity);
+    if (!options.weights.empty()) MixCoarsestLevels(chain, shares, options.alpha_is_opacity);
+  }
   if (options.max_level && chain.levels.size() > size_t{*options.max_level} + 1) {
     chain.levels.resize(size_t{*options.max_level} + 1);
   }

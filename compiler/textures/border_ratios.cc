@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+// How much more a tiling of patterns changes at its borders than inside of the patterns.
+#include "compiler/textures/border_ratios.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "compiler/textures/pattern_levels.h"
+
+namespace texgraph::textures {
+namespace {
+
+// The sum of |b[j] - a[k]| over all j and k but j = k. Sorted, each number is subtracted as often
+// as there are larger ones in the other list, so that many layers take little time.
+double SumOfPairs(std::vector<double>& a, std::vector<double>& b) {
+  double own = 0;
+  for (size_t i = 0; i < a.size(); ++i) own += std::abs(b[i] - a[i]);
+  std::ranges::sort(a);
+  std::ranges::sort(b);
+  const auto n = static_cast<double>(a.size());
+  double sum = 0;
+  for (size_t i = 0, below = 0; i < a.size(); ++i) {
+    while (below < b.size() && b[below] < a[i]) ++below;
+    sum += a[i] * (2.0 * static_cast<double>(below) - n);
+  }
+  for (size_t i = 0, below = 0; i < b.size(); ++i) {
+    while (below < a.size() && a[below] <= b[i]) ++below;
+    sum += b[i] * (2.0 * static_cast<double>(below) - n);
+  }
+  return sum - own;
+}
+
+// One line of texels across all layers: across a border, and inside.
+class Lines {
+ public:
+  Lines(const ir::Texture::Level& level, bool vertical)
+      : level_(level),
+        step_(vertical ? level.width : 1),
+        across_(vertical ? 1 : level.width),
+        length_(vertical ? level.height : level.width),
+        count_(vertical ? level.width : level.height) {}
+
+  size_t length() const { return length_; }
+  size_t count() const { return count_; }
+  double At(size_t layer, size_t line, size_t i, size_t channel) const {
+    const size_t plane = size_t{level_.width} * level_.height;
+    return double{level_.texels[layer * plane + line * across_ + i * step_][channel]};
+  }
+
+ private:
+  const ir::Texture::Level& level_;
+  size_t step_, across_, length_, count_;
+};
+
+void AddInside(const Lines& lines, size_t layers, size_t skip, Differences& inside) {
+  const size_t n = lines.length();
+  for (size_t layer = 0; layer < layers; ++layer) {
+    for (size_t line = skip; line + skip < lines.count(); ++line) {
+      for (size_t i = skip; i + skip < n; ++i) {
+        for (size_t c = 0; c < 4; ++c) {
+          const double here = lines.At(layer, line, i, c);
+          const double next = lines.At(layer, line, (i + 1) % n, c);
+          if (i + 1 + skip < n) inside.values.Add(std::abs(next - here));
+          // A pattern of two texels has no slopes inside but those across its own border.
+          if (n > 2 && (i + 2 + skip >= n)) continue;
+          const double second = lines.At(layer, line, (i + 2) % n, c);
+          inside.slopes.Add(std::abs(here - 2 * next + second));
+        }
+      }
+    }
+  }
+}
+
+void AddBorders(const Lines& lines, size_t layers, Differences& borders, DifferenceMean& jumps) {
+  const size_t n = lines.length();
+  const auto pairs = static_cast<double>(layers * (layers - 1));
+  std::vector<double> a(layers), b(layers);
+  const auto add = [&](DifferenceMean& mean, auto of_left, auto of_right) {
+    for (size_t k = 0; k < layers; ++k) {
+      a[k] = of_left(k);
+      b[k] = of_right(k);
+    }
+    mean.Add(SumOfPairs(a, b), pairs);
+  };
+  for (size_t line = 0; line < lines.count(); ++line) {
+    for (size_t c = 0; c < 4; ++c) {
+      const auto first = [&](size_t k) { return lines.At(k, line, 0, c); };
+      const auto second = [&](size_t k) { return lines.At(k, line, 1, c); };
+      const auto last = [&](size_t k) { return lines.At(k, line, n - 1, c); };
+      const auto before = [&](size_t k) { return lines.At(k, line, n - 2, c); };
+      const auto slope = [&](size_t k) { return first(k) - last(k); };
+      add(borders.values, last, first);
+      add(
+          borders.slopes, [&](size_t k) { return 2 * last(k) - before(k); }, first);
+      add(borders.slopes, last, [&](size_t k) { return 2 * first(k) - second(k); });
+      add(jumps, slope, slope);
+    }
+  }
+}
+
+double Ratio(const DifferenceMean& border, const DifferenceMean& inside) {
+  if (border.Get() == 0) return 0;
+  if (inside.Get() == 0) return std::numeric_limits<double>::infinity();
+  return border.Get() / inside.Get();
+}
+
+}  // namespace
+
+Differences MeasureInside(const ir::Texture::Level& level, bool skip_ring) {
+  Differences inside;
+  for (bool vertical : {false, true})
+    AddInside(Lines(level, vertical), level.depth, skip_ring ? 1 : 0, inside);
+  return inside;
+}
+
+BorderRatios CompareBorders(const ir::Texture::Level& level, const Differences& inside) {
+  if (level.depth < 2 || level.width < 2 || level.height < 2) return {};
+  Differences borders;
+  DifferenceMean jumps;
+  for (bool vertical : {false, true})
+    AddBorders(Lines(level, vertical), level.depth, borders, jumps);
+  return {Ratio(borders.values, inside.values),
+          std::max(Ratio(borders.slopes, inside.slopes), Ratio(jumps, inside.slopes))};
+}
+
+BorderRatios MeasureBorders(const ir::Texture::Level& level) {
+  return CompareBorders(level, MeasureInside(level, false));
+}
+
+}  // namespace texgraph::textures
