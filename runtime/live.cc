@@ -324,29 +324,55 @@ bool LiveRenderer::SetCamera(const Camera& camera, Diagnostics& diagnostics) {
   return false;
 }
 
-bool LiveRenderer::UpdateTexels(const TexelUpdate& update, Diagnostics& diagnostics) {
+const ManifestTexture* LiveRenderer::Find(const std::string& name, std::optional<size_t>& sampler,
+                                          Diagnostics& diagnostics) const {
   std::vector<std::string_view> names;
   for (const ManifestTexture& texture : process_->request().manifest.textures) {
     names.push_back(texture.name);
-    if (texture.name != update.texture) continue;
-    const std::optional<size_t> sampler = process_->FindSampler(texture);
-    if (!sampler) return true;
-    if (!CheckUpdate(update, *process_->plan().samplers[*sampler].data, diagnostics)) return false;
-    process_->Add(*sampler, update);
-    return true;
+    if (texture.name != name) continue;
+    if (texture.is_folded) {
+      diagnostics.Error(DiagnosticKind::kNotRenderable, {},
+                        fmt::format("the numbers of texture '{}' are part of this shader (folded)",
+                                    Printable(name)));
+      return nullptr;
+    }
+    sampler = process_->FindSampler(texture);
+    return &texture;
   }
-  diagnostics.Error(DiagnosticKind::kUnknownReference, {},
-                    fmt::format("the shader has no texture '{}'{}", Printable(update.texture),
-                                DidYouMean(update.texture, names)));
-  return false;
+  diagnostics.Error(
+      DiagnosticKind::kUnknownReference, {},
+      fmt::format("the shader has no texture '{}'{}", Printable(name), DidYouMean(name, names)));
+  return nullptr;
 }
 
-const textures::TextureData* LiveRenderer::FindTexture(std::string_view name) const {
+bool LiveRenderer::UpdateTexels(const TexelUpdate& update, Diagnostics& diagnostics) {
+  std::optional<size_t> sampler;
+  if (Find(update.texture, sampler, diagnostics) == nullptr) return false;
+  if (!sampler) return true;
+  if (!CheckUpdate(update, *process_->plan().samplers[*sampler].data, diagnostics)) return false;
+  process_->Add(*sampler, update);
+  return true;
+}
+
+bool LiveRenderer::UpdateMap(TexelUpdate update, std::span<const int32_t> numbers,
+                             Diagnostics& diagnostics) {
+  std::optional<size_t> sampler;
+  const ManifestTexture* texture = Find(update.texture, sampler, diagnostics);
+  if (texture == nullptr) return false;
+  if (!sampler) return true;
+  const auto count = texture->map ? texture->map->count : std::nullopt;
+  return EncodeNumbers(numbers, *process_->plan().samplers[*sampler].data, count, update,
+                       diagnostics) &&
+         UpdateTexels(update, diagnostics);
+}
+
+std::optional<LiveRenderer::Texture> LiveRenderer::FindTexture(std::string_view name) const {
   for (const ManifestTexture& texture : process_->request().manifest.textures) {
     const std::optional<size_t> sampler = process_->FindSampler(texture);
-    if (texture.name == name && sampler) return process_->plan().samplers[*sampler].data;
+    if (texture.name == name && sampler)
+      return Texture{&texture, process_->plan().samplers[*sampler].data};
   }
-  return nullptr;
+  return std::nullopt;
 }
 
 }  // namespace texgraph::runtime

@@ -6,7 +6,9 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "runtime/render.h"
@@ -32,11 +34,21 @@ class LiveRenderer {
   bool SetCamera(const Camera& camera, Diagnostics& diagnostics);
   // Texels of one of the graph's textures; they change for the next picture. A texture that the
   // shader does not use can be changed without effect. Textures that are alike in the graph are one
-  // and change together. Reported: kUnknownReference, kValueRange.
+  // and change together. Reported: kUnknownReference, kValueRange, kNotRenderable for a map whose
+  // numbers are part of the shader.
   bool UpdateTexels(const TexelUpdate& update, Diagnostics& diagnostics);
+  // The same for a map of whole numbers, -1 for nothing, in the texture's own format: `update` has
+  // no texels yet. Numbers are below the count of what they count. Also reported: kPortType for
+  // what is no map.
+  bool UpdateMap(TexelUpdate update, std::span<const int32_t> numbers, Diagnostics& diagnostics);
 
-  // The texels of that texture as they were uploaded; null if the shader has no such texture.
-  const textures::TextureData* FindTexture(std::string_view name) const;
+  // A texture as it was uploaded.
+  struct Texture {
+    const ManifestTexture* texture = nullptr;
+    const textures::TextureData* data = nullptr;
+  };
+  // Nothing if the shader has no such texture.
+  std::optional<Texture> FindTexture(std::string_view name) const;
   const RenderRequest& request() const;
 
   // The request's outputs at that time, in seconds. After the driver has failed, all further ones
@@ -46,6 +58,9 @@ class LiveRenderer {
  private:
   class Process;
   explicit LiveRenderer(std::unique_ptr<Process> process);
+  // The texture of the graph, or null, reported; `sampler` is in the plan, if it has one.
+  const ManifestTexture* Find(const std::string& name, std::optional<size_t>& sampler,
+                              Diagnostics& diagnostics) const;
 
   std::unique_ptr<Process> process_;
 };

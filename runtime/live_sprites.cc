@@ -21,23 +21,27 @@ void Append(const Value* values, size_t count, std::vector<uint8_t>& bytes) {
 
 LiveSprites::LiveSprites(std::string texture, const textures::TextureData& data, uint32_t patterns)
     : texture_(std::move(texture)),
+      patterns_(patterns),
       grid_(data.levels[0].width, data.levels[0].height, data.layers, patterns) {}
 
 std::optional<LiveSprites> LiveSprites::Open(const LiveRenderer& renderer, std::string_view texture,
-                                             uint32_t patterns, Diagnostics& diagnostics) {
-  const textures::TextureData* data = renderer.FindTexture(texture);
-  if (data == nullptr) {
+                                             Diagnostics& diagnostics) {
+  const auto found = renderer.FindTexture(texture);
+  if (!found) {
     diagnostics.Error(DiagnosticKind::kUnknownReference, {},
                       fmt::format("the shader uses no texture '{}'", Printable(texture)));
     return std::nullopt;
   }
-  if (!data->is_array || data->format != textures::TexelFormat::kRgba32F ||
-      data->levels.size() != 1 || data->layers > textures::kMaxSpriteLayers) {
+  const textures::TextureData& data = *found->data;
+  const std::optional<ManifestMap>& map = found->texture->map;
+  const bool has_sprites = map && map->holds == MapContents::kSprites && map->count;
+  if (!has_sprites || !data.is_array || data.format != textures::TexelFormat::kRgba32F ||
+      data.levels.size() != 1 || data.layers > textures::kMaxSpriteLayers) {
     diagnostics.Error(DiagnosticKind::kPortType, {},
                       fmt::format("texture '{}' holds no sprites", Printable(texture)));
     return std::nullopt;
   }
-  return LiveSprites(std::string(texture), *data, patterns);
+  return LiveSprites(std::string(texture), data, *map->count);
 }
 
 std::vector<TexelUpdate> LiveSprites::TakeUpdates() {

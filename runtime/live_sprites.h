@@ -17,10 +17,12 @@ namespace texgraph::runtime {
 class LiveSprites {
  public:
   // For the texture of that name, as large as the graph made it; there are no sprites at first,
-  // whatever the graph has. Patterns are 0 to `patterns` - 1. Reported: kUnknownReference for a
-  // texture that the shader does not use, kPortType for one that holds no sprites.
+  // whatever the graph has. Reported: kUnknownReference for a texture that the shader does not use,
+  // kPortType for one that holds no sprites.
   static std::optional<LiveSprites> Open(const LiveRenderer& renderer, std::string_view texture,
-                                         uint32_t patterns, Diagnostics& diagnostics);
+                                         Diagnostics& diagnostics);
+  // How many patterns a sprite may have.
+  uint32_t patterns() const { return patterns_; }
 
   textures::SpriteGrid& grid() { return grid_; }
   // What changed in the grid since the last call, rows of texels that lie beside each other as one;
@@ -34,6 +36,7 @@ class LiveSprites {
   LiveSprites(std::string texture, const textures::TextureData& data, uint32_t patterns);
 
   std::string texture_;
+  uint32_t patterns_;
   textures::SpriteGrid grid_;
   bool has_sent_ = false;
 };

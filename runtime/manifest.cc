@@ -5,6 +5,7 @@
 
 #include "compiler/base/builtin_input.h"
 #include "compiler/base/text.h"
+#include "compiler/textures/maps.h"
 
 namespace texgraph::runtime {
 namespace {
@@ -111,6 +112,7 @@ class Reader {
   void CheckFiles(const DocumentNode& files, ManifestTexture& texture);
   void ReadMasks(const DocumentNode& node, ManifestTexture& texture);
   void ReadKey(const DocumentNode& node, ManifestTexture& texture);
+  void ReadMap(const DocumentNode& node, ManifestTexture& texture);
 
   const Document& document_;
   Diagnostics& diagnostics_;
@@ -253,6 +255,15 @@ void Reader::ReadKey(const DocumentNode& node, ManifestTexture& texture) {
   key.edge = Integer(*object, "edge", textures::kMaxKeyEdge).value_or(key.edge);
 }
 
+void Reader::ReadMap(const DocumentNode& node, ManifestTexture& texture) {
+  static constexpr std::string_view kContents[] = {"patterns", "lists", "numbers", "sprites"};
+  const DocumentNode* object = Find(node, "map", DocumentKind::kObject, false);
+  if (object == nullptr) return;
+  ManifestMap& map = texture.map.emplace();
+  map.holds = static_cast<MapContents>(Word(*object, "holds", true, kContents));
+  map.count = Integer(*object, "count", textures::kMaxMapNumber);
+}
+
 // What the shader does not sample may be made of files, or of none, that are not its texels yet.
 void Reader::CheckFiles(const DocumentNode& files, ManifestTexture& texture) {
   texture.has_levels = texture.files.size() == 1 && texture.files[0].ends_with(".ktx2");
@@ -275,7 +286,9 @@ void Reader::ReadTexture(const DocumentNode& node) {
   const uint32_t type = Word(node, "type", true, kTypes);
   texture.options.is_array = type == 1;
   texture.options.is_3d = type == 2;
-  texture.is_used = Word(node, "status", false, kStatus) == 0;
+  const uint32_t status = Word(node, "status", false, kStatus);
+  texture.is_used = status == 0;
+  texture.is_folded = status == 2;
   texture.variable = Text(node, "variable", texture.is_used);
   texture.options.srgb = Word(node, "color_space", true, kSpaces) == 0;
   texture.options.alpha_is_opacity = document_.Find(node, "alpha") == nullptr
@@ -299,6 +312,7 @@ void Reader::ReadTexture(const DocumentNode& node) {
   }
   ReadMasks(node, texture);
   ReadKey(node, texture);
+  ReadMap(node, texture);
   manifest_.textures.push_back(std::move(texture));
 }
 

@@ -48,16 +48,27 @@ struct ManifestParameter {
   SourceRange place;
 };
 
+// What the texels of a map are: docs/manifest.md.
+enum class MapContents : uint8_t { kPatterns, kLists, kNumbers, kSprites };
+
+struct ManifestMap {
+  MapContents holds = MapContents::kNumbers;
+  std::optional<uint32_t> count;  // numbers, and patterns of sprites, are below it
+};
+
 struct ManifestTexture {
   std::string name;
   std::string variable;  // the sampler in the shader; textures that are alike share one
   bool is_used = true;
+  bool is_folded = false;          // a map whose numbers are part of the shader
   std::vector<std::string> files;  // relative to the manifest's folder
   bool has_levels = false;         // one KTX 2.0 file, with all that is uploaded
   // What is still to be done with the files: none, one or a mask for each; relative paths, too.
   std::vector<textures::MaskSource> masks;
   std::optional<textures::ColorKey> key;
   textures::TextureOptions options;
+  std::optional<ManifestMap> map;
+  bool is_folded = false;  // a map whose numbers are part of the shader
   SourceRange place;
 };
 

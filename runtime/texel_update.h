@@ -4,8 +4,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "compiler/base/diagnostics.h"
@@ -29,5 +30,11 @@ struct TexelUpdate {
 // kValueRange.
 bool CheckUpdate(const TexelUpdate& update, const textures::TextureData& data,
                  Diagnostics& diagnostics);
+
+// Sets the texels to whole numbers, -1 for nothing, in the format of a map. Reported: kPortType if
+// `data` is no map of numbers, kValueRange for a number below -1, not below `count` or beyond what
+// the format holds.
+bool EncodeNumbers(std::span<const int32_t> numbers, const textures::TextureData& data,
+                   std::optional<uint32_t> count, TexelUpdate& update, Diagnostics& diagnostics);
 
 }  // namespace texgraph::runtime

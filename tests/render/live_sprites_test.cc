@@ -51,6 +51,7 @@ RenderRequest RequestFor(TextureData data) {
                           "}",
                           128, 96);
   test::AddTexture(request, "sprites", std::move(data));
+  request.manifest.textures[0].map = {MapContents::kSprites, kPatterns};
   return request;
 }
 
@@ -66,7 +67,7 @@ TEST(LiveSpritesTest, PicturesAreThoseOfSpritesThatWereThereFromTheBeginning) {
   const auto renderer = LiveRenderer::Open(RequestFor(TextureOf({{2, 1.5, 1.5}})), diagnostics);
   ASSERT_TRUE(renderer) << FirstMessage(diagnostics);
   EXPECT_EQ(renderer->Draw(0).outputs[0].floats, PixelsOf({{2, 1.5, 1.5}}));
-  auto live = LiveSprites::Open(*renderer, "sprites", kPatterns, diagnostics);
+  auto live = LiveSprites::Open(*renderer, "sprites", diagnostics);
   ASSERT_TRUE(live) << FirstMessage(diagnostics);
   ASSERT_EQ(live->Send(*renderer, diagnostics), kWidth * kHeight * kLayers);
   EXPECT_EQ(renderer->Draw(0).outputs[0].floats, PixelsOf({}));
@@ -102,7 +103,7 @@ TEST(LiveSpritesTest, OnlyWhatChangedTravels) {
   Diagnostics diagnostics;
   const auto renderer = LiveRenderer::Open(RequestFor(TextureOf({})), diagnostics);
   ASSERT_TRUE(renderer) << FirstMessage(diagnostics);
-  auto live = LiveSprites::Open(*renderer, "sprites", kPatterns, diagnostics);
+  auto live = LiveSprites::Open(*renderer, "sprites", diagnostics);
   ASSERT_TRUE(live);
   EXPECT_EQ(live->TakeUpdates().size(), kLayers);
   textures::SpriteGrid::Id id = 0;
@@ -137,9 +138,9 @@ TEST(LiveSpritesTest, TexturesWithoutSprites) {
   const auto renderer = LiveRenderer::Open(request, opening);
   ASSERT_TRUE(renderer) << FirstMessage(opening);
   Diagnostics wrong, missing;
-  EXPECT_FALSE(LiveSprites::Open(*renderer, "sprites", 4, wrong));
+  EXPECT_FALSE(LiveSprites::Open(*renderer, "sprites", wrong));
   EXPECT_EQ(FirstName(wrong), "port-type");
-  EXPECT_FALSE(LiveSprites::Open(*renderer, "spites", 4, missing));
+  EXPECT_FALSE(LiveSprites::Open(*renderer, "spites", missing));
   EXPECT_EQ(FirstName(missing), "unknown-reference");
 }
 

@@ -6,9 +6,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstring>
+#include <functional>
 #include <random>
 
+#include "compiler/textures/maps.h"
 #include "tests/render/render_testing.h"
 
 namespace texgraph::runtime {
@@ -228,6 +231,62 @@ TEST(LiveRendererTest, TexelsThatAreNotThere) {
               HasSubstr("needs 16 bytes for 2 x 2 texels, not 15"));
   EXPECT_EQ(refusal([](TexelUpdate& update) { update.texture = "idle"; }), ": ");
   ExpectSame(renderer->Draw(0), Render(request));
+}
+
+TEST(LiveRendererTest, MapsTakeWholeNumbers) {
+  for (int32_t largest : {40, 5000}) {  // halves, floats
+    textures::NumberMap map{4, 2, {0, 1, 2, 3, -1, 5, 6, largest}};
+    const auto request_for = [&] {
+      RenderRequest request = ShaderRequest(
+          "uniform sampler2D map;",
+          "out_color = texelFetch(map, ivec2(gl_FragCoord.xy), 0); out_height = 0.0;", 4, 2);
+      AddTexture(request, "map", textures::MapTexture(map));
+      request.manifest.textures[0].map = {MapContents::kLists, 5001};
+      return request;
+    };
+    const RenderRequest before = request_for();
+    ASSERT_EQ(before.textures[0].data->format,
+              largest == 40 ? TexelFormat::kR16F : TexelFormat::kR32F);
+    const auto renderer = Open(before);
+    ASSERT_TRUE(renderer);
+    TexelUpdate update;
+    update.texture = "map";
+    update.x = 1;
+    update.width = 2;
+    update.height = 2;
+    const auto set = [&](std::vector<int32_t> numbers) {
+      Diagnostics diagnostics;
+      renderer->UpdateMap(update, numbers, diagnostics);
+      return FirstName(diagnostics) + ": " + FirstMessage(diagnostics);
+    };
+    EXPECT_EQ(set({30, -1, 7, 8}), ": ");
+    map.numbers = {0, 30, -1, 3, -1, 7, 8, largest};
+    EXPECT_THAT(set({0, 0, 0, -2}), HasSubstr("value-range: texture 'map' takes numbers from -1"));
+    EXPECT_THAT(set({0, 0, 0, 5001}), HasSubstr("not 5001"));
+    EXPECT_EQ(set({0, 0, 0, 2049}) == ": ", largest == 5000);
+    EXPECT_THAT(set({0, 0, 0}), HasSubstr("value-range"));
+    EXPECT_EQ(set({30, -1, 7, 8}), ": ");
+    ExpectSame(renderer->Draw(0), Render(request_for()));
+  }
+}
+
+TEST(LiveRendererTest, WhatIsNoMap) {
+  RenderRequest request = TexelsOf(RandomTexture(TexelFormat::kRgba8, false, false, 1));
+  ManifestTexture folded;
+  folded.name = "folded";
+  folded.is_used = false;
+  folded.is_folded = true;
+  request.manifest.textures.push_back(folded);
+  const auto renderer = Open(request);
+  ASSERT_TRUE(renderer);
+  Diagnostics picture, constant;
+  TexelUpdate update;
+  update.texture = "image";
+  EXPECT_FALSE(renderer->UpdateMap(update, std::array{1}, picture));
+  EXPECT_EQ(FirstName(picture), "port-type");
+  update.texture = "folded";
+  EXPECT_FALSE(renderer->UpdateMap(update, std::array{1}, constant));
+  EXPECT_EQ(FirstName(constant), "not-renderable");
 }
 
 // More than a pipe holds, both ways.

@@ -44,7 +44,8 @@ const char* const kWhole = R"({
      "filter": "nearest", "wrap": ["clamp", "mirror"], "mipmaps": false, "max_level": 4},
     {"name": "stains", "type": "sampler2DArray", "status": "unused", "files": ["1.png", "2.png"],
      "color_space": "linear", "masks": [{"file": "m.png", "channel": "green", "invert": true}],
-     "key": {"color": [1, 0.5, 0], "tolerance": 0.25, "edge": 7}, "alpha": "opacity"}]
+     "key": {"color": [1, 0.5, 0], "tolerance": 0.25, "edge": 7}, "alpha": "opacity",
+     "map": {"holds": "lists", "of": "brick", "count": 12}}]
 })";
 
 TEST(ManifestTest, ReadsEverything) {
@@ -92,6 +93,10 @@ TEST(ManifestTest, ReadsEverything) {
   EXPECT_EQ(manifest.textures[1].key->color, (std::array<float, 3>{1, 0.5f, 0}));
   EXPECT_EQ(manifest.textures[1].key->tolerance, 0.25f);
   EXPECT_EQ(manifest.textures[1].key->edge, 7u);
+  EXPECT_FALSE(manifest.textures[0].map || manifest.textures[0].is_folded);
+  ASSERT_TRUE(manifest.textures[1].map);
+  EXPECT_EQ(manifest.textures[1].map->holds, MapContents::kLists);
+  EXPECT_EQ(manifest.textures[1].map->count, 12u);
 }
 
 TEST(ManifestTest, TellsAManifestFromAGraph) {
@@ -151,6 +156,9 @@ TEST(ManifestTest, ReportsMistakesAtTheirPlaces) {
       {"[1, 0.5, 0], \"tol", "[1, 0.5, 0, 0], \"tol", "three numbers from 0 to 1"},
       {"\"tolerance\": 0.25", "\"tolerance\": 1e300", "a number from 0 up to, but not, 1"},
       {"\"edge\": 7", "\"edge\": 65", "'edge' must be an integer from 0 to 64"},
+      {"\"holds\": \"lists\", ", "", "the manifest has no 'holds' here"},
+      {"\"lists\"", "\"heights\"", "'heights' is no holds"},
+      {"\"count\": 12", "\"count\": -1", "'count' must be an integer from 0 to 16777216"},
       {"\"something_new\": [1]", "\"outputs\": []", "outputs"},
   };
   for (const Mistake& mistake : mistakes) {
