@@ -28,16 +28,24 @@ set(TEXGRAPH_STDLIB_BLOCKS
   images/image.glsl
   images/tiled_image.glsl
   images/uv_transform.glsl
+  indirection/animation_map.glsl
+  indirection/animation_sequence.glsl
   indirection/areas_map.glsl
   indirection/cell_hash.glsl
   indirection/cell_permutation.glsl
   indirection/dither.glsl
   indirection/dithered_areas_map.glsl
   indirection/explicit_indirection_map.glsl
+  indirection/explicit_positioning.glsl
   indirection/materials_map.glsl
+  indirection/overlap.glsl
+  indirection/pixel_map.glsl
   indirection/probability_map.glsl
   indirection/reference_texture.glsl
+  indirection/texture_sprites.glsl
+  indirection/tile_transform.glsl
   indirection/transition_tiles.glsl
+  indirection/virtual_areas_map.glsl
   indirection/virtual_indirection_map.glsl
   indirection/virtual_random_map.glsl
   indirection/virtual_tile_map.glsl

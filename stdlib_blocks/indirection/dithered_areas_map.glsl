@@ -24,9 +24,40 @@ int dithered_areas_map(sampler2D areas, Tile tile, const ivec2 cells, const int 
   // In half tiles, from the middle of the area before the first one on, so that nothing is below 0.
   ivec2 middle = 2 * wrap_cell(tile.cell, cells) + half_area + 1;
   ivec2 last = middle / area;
-  ivec2 share = middle - last * area;
+  ivec2 share = middle % area;
   uint bits = hash(tile.seed + uint(stream));
   ivec2 luck = ivec2(uvec2(bits & 65535u, bits >> 16u) * uvec2(area) >> 16u);
   ivec2 picked = last - ivec2(greaterThanEqual(luck, share));
+  return int(texelFetch(areas, wrap_cell(picked, size), 0).r);
+}
+
+/// Of a line the map is the row v = 0 of a texture, in space it is a volume.
+/// @param areas numbers of materials, in the first channel
+/// @param tile the cell of a line
+/// @param cells how many cells the tile map has: a multiple of the map's @range 1 1048576
+/// @param stream blocks with different streams dither independently @default 1
+int dithered_areas_map(sampler2D areas, Tile1 tile, const int cells, const int stream) {
+  int size = textureSize(areas, 0).x;
+  int half_area = max(cells / size, 1);
+  int area = 2 * half_area;
+  int middle = 2 * wrap_cell(tile.cell, cells) + half_area + 1;
+  int luck = int((hash(tile.seed + uint(stream)) >> 16u) * uint(area) >> 16u);
+  int picked = middle / area - int(luck >= middle % area);
+  return int(texelFetch(areas, ivec2(wrap_cell(picked, size), 0), 0).r);
+}
+
+/// @param areas numbers of materials, in the first channel
+/// @param tile the cell in space
+/// @param cells columns, rows and slices of the tile map: multiples of the map's @range 1 1048576
+/// @param stream blocks with different streams dither independently @default 1
+int dithered_areas_map(sampler3D areas, Tile3 tile, const ivec3 cells, const int stream) {
+  ivec3 size = textureSize(areas, 0);
+  ivec3 half_area = max(cells / size, 1);
+  ivec3 area = 2 * half_area;
+  ivec3 middle = 2 * wrap_cell(tile.cell, cells) + half_area + 1;
+  uint bits = hash(tile.seed + uint(stream));
+  uvec3 numbers = uvec3(bits & 65535u, bits >> 16u, hash(bits) >> 16u);
+  ivec3 luck = ivec3(numbers * uvec3(area) >> 16u);
+  ivec3 picked = middle / area - ivec3(greaterThanEqual(luck, middle % area));
   return int(texelFetch(areas, wrap_cell(picked, size), 0).r);
 }

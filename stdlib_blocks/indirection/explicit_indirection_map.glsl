@@ -5,7 +5,8 @@
 /// 0 as well.
 /// @source Lefebvre and Neyret, Pattern Based Procedural Textures, 2003, section 3.2, Explicit
 ///   Indirection Map, and section 3.6, Encoding maps as textures
-/// @param map numbers of patterns, in the first channel; the row v = 0 is that of the cells of row 0
+/// @param map numbers of patterns, in the first channel; the row v = 0 is that of the cells of row
+///   0
 /// @param tile the tile
 /// @return the number in the map, -1 for nothing
 int explicit_indirection_map(sampler2D map, Tile tile) {

@@ -18,6 +18,16 @@ vec4 reference_texture(sampler2DArray patterns, Tile tile, int pattern) {
   return pattern < 0 ? vec4(0.0) : color;
 }
 
+/// Patterns of a line are the rows v = 0.5 of the layers.
+/// @param patterns the patterns, a layer each; the texture should repeat ("wrap")
+/// @param tile where it is drawn
+/// @param pattern which pattern, from 0; below 0 there is none, transparent black. Beyond the last
+///   it is the last
+vec4 reference_texture(sampler2DArray patterns, Tile1 tile, int pattern) {
+  vec4 color = texture(patterns, vec3(tile.local, 0.5, pattern));
+  return pattern < 0 ? vec4(0.0) : color;
+}
+
 /// In an atlas, one picture with the patterns side by side, the place is kept so far from the
 /// pattern's border that no texel of another pattern has a weight, in whatever level. That leaves
 /// a border of half a texel where two patterns meet, as the array has not.

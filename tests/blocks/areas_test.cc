@@ -390,5 +390,162 @@ TEST(TransitionTilesTest, BordersAgreeAboutTheirCorners) {
   }
 }
 
+// --- Lines and volumes, computed areas, masks ---------------------------------------------------
+
+Values Whole3(int x, int y, int z) {
+  return {ir::Vector(ir::Scalar::kInt, 3),
+          1,
+          {static_cast<uint32_t>(x), static_cast<uint32_t>(y), static_cast<uint32_t>(z)}};
+}
+
+// Of a line and in space: areas where the map has them, and borders by the linear weights.
+TEST(AreasMapTest, OfALineAndInSpace) {
+  const ir::Texture row = MapOf({{4, 7, -1}});
+  ir::Texture volume;
+  volume.is_3d = true;
+  volume.levels.push_back({1, 1, 3, {{4, 0, 0, 1}, {7, 0, 0, 1}, {-1, 0, 0, 1}}});
+  std::array<std::map<int, int>, 12> of_line, in_space;
+  constexpr int kSeeds = 800;
+  for (int seed = 0; seed < kSeeds; ++seed) {
+    std::vector<double> u;
+    std::vector<Vector> uvw;
+    for (int i = -6; i < 6; ++i) {
+      u.push_back((i + 0.5) / 12);
+      uvw.push_back({0.3, 0.6, (i + 0.5) / 12});
+    }
+    Values line =
+        RunBlock("virtual_tile_map",
+                 {{"uv", Floats(u)}, {"cells", Ints({12})}, {"seed", Ints({seed})}})["tile"];
+    Values space = RunBlock(
+        "virtual_tile_map",
+        {{"uv", Vectors(uvw)}, {"cells", Whole3(2, 2, 12)}, {"seed", Ints({seed})}})["tile"];
+    auto plain_line =
+        RunBlock("areas_map", {{"areas", row}, {"tile", line}, {"cells", Ints({12})}});
+    auto plain_space =
+        RunBlock("areas_map", {{"areas", volume}, {"tile", space}, {"cells", Whole3(2, 2, 12)}});
+    auto line_numbers =
+        RunBlock("dithered_areas_map", {{"areas", row}, {"tile", line}, {"cells", Ints({12})}});
+    auto space_numbers = RunBlock(
+        "dithered_areas_map", {{"areas", volume}, {"tile", space}, {"cells", Whole3(2, 2, 12)}});
+    for (size_t i = 0; i < 12; ++i) {
+      const int area = std::array<int, 3>{4, 7, -1}[(i + 6) % 12 / 4];
+      ASSERT_EQ(plain_line["result"].Int(i), area);
+      ASSERT_EQ(plain_space["result"].Int(i), area);
+      ++of_line[i][line_numbers["result"].Int(i)];
+      ++in_space[i][space_numbers["result"].Int(i)];
+    }
+  }
+  for (size_t i = 0; i < 12; ++i) {
+    for (int area = 0; area < 3; ++area) {
+      // The other axes have one area: their weight is 1.
+      const double weight =
+          BilinearWeight({static_cast<int>((i + 6) % 12), 0}, {area, 0}, {12, 1}, {3, 1});
+      const int number = std::array<int, 3>{4, 7, -1}[static_cast<size_t>(area)];
+      const double spread = 5 * std::sqrt(kSeeds * weight * (1 - weight)) + 1e-6;
+      EXPECT_NEAR(of_line[i][number], kSeeds * weight, spread);
+      EXPECT_NEAR(in_space[i][number], kSeeds * weight, spread);
+    }
+  }
+}
+
+TEST(MaterialsMapTest, OfALineAndInSpace) {
+  const ir::Texture lists = MapOf({{0, 1, 2}, {3, 4, 5}});
+  Values line =
+      RunBlock("virtual_tile_map", {{"uv", Floats({0.1, 0.7})}, {"cells", Ints({9})}})["tile"];
+  Values space = RunBlock("virtual_tile_map", {{"uv", Vectors({{0.1, 0.7, 0.2}, {0.4, 0.2, 0.9}})},
+                                               {"cells", Whole3(5, 6, 7)}})["tile"];
+  for (const Values* tiles : {&line, &space}) {
+    auto outputs =
+        RunBlock("materials_map", {{"lists", lists}, {"material", Ints({1})}, {"tile", *tiles}});
+    ASSERT_EQ(outputs.size(), 1u);
+    for (size_t i = 0; i < 2; ++i) {
+      const uint32_t bits = tiles->Uint(i, tiles == &line ? 3 : 9);
+      EXPECT_EQ(outputs["result"].Int(i), static_cast<int>(3 + (bits >> 16) * 3 / 65536));
+    }
+  }
+}
+
+// Computed areas are those of a map with the same numbers, tile by tile, dithered or not.
+TEST(VirtualAreasMapTest, IsTheMapThatItComputes) {
+  // 8 * row + column, rounded down in 64ths of the middle's coordinates.
+  const std::string graph = R"({"texgraph": 1, "textures": {"where": {"file": "moss.png"}},
+    "functions": {"number": {"inputs": {"uv": "vec2"}, "nodes": {
+        "p": {"block": "components", "in": {"vector": "uv"}},
+        "x": {"block": "multiply", "in": {"a": "p.x", "b": 4}},
+        "y": {"block": "multiply", "in": {"a": "p.y", "b": 2}},
+        "column": {"block": "round_down", "in": {"value": "x"}},
+        "row": {"block": "round_down", "in": {"value": "y"}},
+        "rows": {"block": "multiply", "in": {"a": "row", "b": 4}},
+        "sum": {"block": "add", "in": {"a": "rows", "b": "column"}},
+        "whole": {"block": "to_int", "in": {"value": "sum"}}}, "outputs": {"number": "whole"}}},
+    "nodes": {
+      "tiles": {"block": "virtual_tile_map", "in": {"cells": [16, 12]}},
+      "sharp": {"block": "virtual_areas_map", "in": {"area": "number", "tile": "tiles",
+                "cells": [16, 12], "areas": [4, 2]}},
+      "soft": {"block": "virtual_areas_map", "in": {"area": "number", "tile": "tiles",
+               "cells": [16, 12], "areas": [4, 2], "dithered": true}},
+      "map": {"block": "explicit_indirection_map", "in": {"map": "where", "tile": "areas"}},
+      "areas": {"block": "virtual_tile_map", "in": {"cells": [4, 2]}},
+      "told": {"block": "combine3", "in": {"x": "sharp", "y": "soft", "z": "map"}}},
+    "outputs": {"normal": "told"}})";
+  const auto rows = std::vector<std::vector<double>>{{0, 1, 2, 3}, {4, 5, 6, 7}};
+  const ir::Texture map = MapOf(rows);
+  std::vector<Point> points;
+  std::vector<Vector> uv;
+  for (const Vector& p : Lattice(-1, 2, 48)) {
+    points.push_back({p[0], p[1]});
+    uv.push_back(p);
+  }
+  auto outputs = RunGraph(graph, points, {1e-5, 1e-5}, 1e-4, PictureFolder(), {{"where", map}});
+  ASSERT_EQ(outputs.size(), 1u);
+  auto soft =
+      RunBlock("dithered_areas_map",
+               {{"areas", map}, {"tile", Tiles(uv, {16, 12})}, {"cells", CellsOf({{16, 12}})}});
+  for (size_t i = 0; i < points.size(); ++i) {
+    EXPECT_EQ(outputs["normal"].Float(i, 0), outputs["normal"].Float(i, 2));
+    EXPECT_EQ(outputs["normal"].Float(i, 1), soft["result"].Int(i));
+  }
+}
+
+// The border of a mask is a pixel wide at every magnification, and from afar the share is the mean.
+TEST(PixelMapTest, BordersAreAPixelWide) {
+  ir::Texture mask;
+  mask.levels.push_back({16, 16, 1, {}});
+  for (int i = 0; i < 256; ++i) {
+    const float inside = i % 16 >= 4 && i % 16 < 8 ? 1.0f : 0.0f;
+    mask.levels[0].texels.push_back({inside, 0.3f, 0.7f, 1});
+  }
+  ir::BuildMipChain(mask);
+  const std::string graph =
+      R"({"texgraph": 1, "textures": {"mask": {"file": "moss.png"}}, "nodes": {
+      "families": {"block": "pixel_map", "in": {"mask": "mask"}},
+      "told": {"block": "combine3", "in": {"x": "families.family", "y": "families.share"}}},
+    "outputs": {"normal": "told"}})";
+  for (double pixel : {0.0005, 0.004, 0.03}) {
+    std::vector<Point> points;
+    for (int i = 0; i < 4000; ++i) points.push_back({(i + 0.5) / 4000, 0.53});
+    auto outputs = RunGraph(graph, points, {pixel, pixel}, 1e-4, PictureFolder(), {{"mask", mask}});
+    ASSERT_EQ(outputs.size(), 1u);
+    int between = 0;
+    double sum = 0;
+    for (size_t i = 0; i < points.size(); ++i) {
+      const float share = outputs["normal"].Float(i, 1);
+      between += share > 0.001 && share < 0.999;
+      sum += share;
+      EXPECT_EQ(outputs["normal"].Float(i, 0), share >= 0.5f);
+      if (std::fabs(points[i].x - 0.375) < 0.125 - pixel) {
+        ASSERT_NEAR(share, 1, 1e-4);
+      }
+    }
+    // Two borders, each a pixel wide.
+    EXPECT_NEAR(between / 4000.0, 2 * pixel, 0.1 * pixel + 0.002);
+    EXPECT_NEAR(sum / 4000, 0.25, 1e-3);
+  }
+  auto far =
+      RunGraph(graph, {{0.3, 0.3}, {0.8, 0.1}}, {2, 2}, 1e-4, PictureFolder(), {{"mask", mask}});
+  EXPECT_NEAR(far["normal"].Float(0, 1), 0.25, 1e-4);
+  EXPECT_NEAR(far["normal"].Float(1, 1), 0.25, 1e-4);
+}
+
 }  // namespace
 }  // namespace texgraph::blocks
