@@ -60,7 +60,6 @@ struct ManifestTexture {
   std::string name;
   std::string variable;  // the sampler in the shader; textures that are alike share one
   bool is_used = true;
-  bool is_folded = false;          // a map whose numbers are part of the shader
   std::vector<std::string> files;  // relative to the manifest's folder
   bool has_levels = false;         // one KTX 2.0 file, with all that is uploaded
   // What is still to be done with the files: none, one or a mask for each; relative paths, too.
