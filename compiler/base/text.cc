@@ -79,7 +79,7 @@ std::string JsonQuoted(std::string_view text) {
   for (size_t i = 0; i < text.size();) {
     CodePoint c = DecodeUtf8(text, i);
     if (c.length == 0) {
-      out += "\\ufffd";
+      out += "\xef\xbf\xbd";
       ++i;
       continue;
     }

@@ -261,8 +261,12 @@ void GraphReader::CheckNumbers(uint32_t index) {
 }
 
 void GraphReader::CheckMeans(uint32_t index) {
-  const Texture& texture = graph_.textures[index];
-  if (texture.kind != TextureKind::kMeans || !texture.of || PatternsOf(graph_, index)) return;
+  Texture& texture = graph_.textures[index];
+  if (texture.kind != TextureKind::kMeans || !texture.of) return;
+  if (const auto patterns = PatternsOf(graph_, index)) {
+    texture.alpha_is_opacity = graph_.textures[*patterns].alpha_is_opacity;
+    return;
+  }
   // A chain that breaks at an "of" with a mistake was reported there.
   uint32_t last = index;
   while (graph_.textures[last].of) last = *graph_.textures[last].of;

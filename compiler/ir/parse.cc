@@ -25,6 +25,7 @@ class ModuleParser {
   bool ParseStruct();
   bool ParseOrigin();
   bool ParseGlobal(GlobalKind kind);
+  MapFacts ParseMap();
   bool ParseOneFunction();
   bool ParseMain();
   bool Verified();
@@ -79,6 +80,27 @@ bool ModuleParser::ParseOrigin() {
   return reader_.ok();
 }
 
+// "2 x 2 x 1", and all numbers of it if they never change.
+MapFacts ModuleParser::ParseMap() {
+  constexpr int64_t kMostSide = 1 << 20;
+  MapFacts map;
+  map.width = static_cast<uint32_t>(reader_.Integer(1, kMostSide));
+  reader_.Expect("x");
+  map.height = static_cast<uint32_t>(reader_.Integer(1, kMostSide));
+  reader_.Expect("x");
+  map.layers = static_cast<uint32_t>(reader_.Integer(1, kMostSide));
+  const SourceRange range = reader_.Peek().range;
+  if (!reader_.Accept("(")) return map;
+  do {
+    map.values.push_back(static_cast<int32_t>(reader_.Integer(INT32_MIN, INT32_MAX)));
+  } while (reader_.ok() && reader_.Accept(","));
+  reader_.Expect(")");
+  if (reader_.ok() && map.values.size() != size_t{map.width} * map.height * map.layers) {
+    reader_.Fail(range, "a map with numbers has one for each texel");
+  }
+  return map;
+}
+
 bool ModuleParser::ParseGlobal(GlobalKind kind) {
   Global global;
   global.kind = kind;
@@ -90,6 +112,7 @@ bool ModuleParser::ParseGlobal(GlobalKind kind) {
     global.is_smooth = false;
     reader_.Expect("smooth");
   }
+  if (reader_.Accept("map")) global.map = ParseMap();
   if (reader_.Accept("=")) global.value = reader_.ReadConstant();
   if (!reader_.ok()) return false;
   if (!names_.globals.emplace(global.name, GlobalId(module_.globals.size())).second) {

@@ -230,11 +230,21 @@ void PrintStruct(const Types& types, const Type& type, std::string& out) {
   out += " }\n";
 }
 
+void PrintMap(const MapFacts& map, std::string& out) {
+  out += " map " + std::to_string(map.width) + " x " + std::to_string(map.height) + " x " +
+         std::to_string(map.layers);
+  for (size_t i = 0; i < map.values.size(); ++i) {
+    out += (i == 0 ? " (" : ", ") + std::to_string(map.values[i]);
+  }
+  if (!map.values.empty()) out += ")";
+}
+
 void PrintGlobal(const Module& module, const Global& global, std::string& out) {
   constexpr std::string_view kKinds[] = {"input", "uniform", "specialization", "texture"};
   out += kKinds[static_cast<size_t>(global.kind)];
   out += " " + NameText(global.name) + ": " + module.types.Text(global.type);
   if (!global.is_smooth) out += " not smooth";
+  if (global.map) PrintMap(*global.map, out);
   if (global.value) out += " = " + Literal(module, global.value);
   out += "\n";
 }

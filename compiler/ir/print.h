@@ -9,6 +9,7 @@
 //   specialization rows: int = 12
 //   texture brick: sampler2D
 //   texture ids: sampler2D not smooth
+//   texture where: sampler2D not smooth map 2 x 2 x 1 (0, 1, -1, 0)      (columns, rows, layers; numbers that never change)
 //   function layer_2 as layer(%tile: Tile, const %blend: int, %image: field(vec2) -> vec4) -> (vec4, coverage: float) #0 {
 //     %local = extract.1 %tile : vec2
 //     %0 = mul %local, vec2(2.0, 2.0) : vec2

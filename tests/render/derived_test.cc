@@ -208,5 +208,19 @@ TEST_F(Derived, MeansAreThoseOfTheLists) {
   }
 }
 
+// Far away a pixel shows all patterns, each as often as it is chosen.
+TEST_F(Derived, WeightsAreInTheCoarsestLevel) {
+  WriteGraph(R"("ground": { "sheet": "sheet.png", "grid": [2, 2], "weights": "mixes" },
+               "mixes": { "lists": [[0, 0, 0, 1], [2, 0]], "of": "ground" })",
+             "sampler2DArray patterns", R"("patterns": "ground")",
+             "return textureLod(patterns, vec3(uv, 3.0), 16.0);");
+  const Image image = RenderBoth();
+  for (uint32_t c = 0; c < 3; ++c) {
+    const double mean =
+        (5 * Decoded(kColors[0][c]) + Decoded(kColors[1][c]) + 2 * Decoded(kColors[2][c])) / 8;
+    EXPECT_NEAR(CellColor(image, 0, 0)[c], textures::SrgbEncode8(static_cast<float>(mean)), 1);
+  }
+}
+
 }  // namespace
 }  // namespace texgraph

@@ -118,9 +118,18 @@ TEST(ReadTextures, ReadsSpritesAndMeans) {
   EXPECT_EQ(far.kind, TextureKind::kMeans);
   EXPECT_TRUE(far.dithered);
   EXPECT_TRUE(far.mipmaps);
+  EXPECT_TRUE(far.alpha_is_opacity);
   const auto patterns = PatternsOf(*read.graph, 0);
   ASSERT_TRUE(patterns);
   EXPECT_EQ(read.graph->textures[*patterns].name, "ground");
+}
+
+TEST(ReadTextures, MeansHaveTheAlphaOfTheirPatterns) {
+  const ReadGraphText read =
+      ReadSection(R"({ "m": { "means": "w" }, "w": { "map": [[0]], "of": "p" },
+      "p": { "layers": ["a.png"], "color_space": "data" } })");
+  ASSERT_TRUE(read.graph) << read.Messages();
+  EXPECT_FALSE(read.graph->textures[0].alpha_is_opacity);
 }
 
 TEST(ReadTextures, SpritesOnWholeCellsTouchOneCell) {

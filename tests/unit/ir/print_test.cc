@@ -27,6 +27,8 @@ specialization rows: int = 12
 texture brick: sampler2D
 texture ids: sampler2DArray not smooth
 texture "odd name": sampler3D
+texture where: sampler2D not smooth map 2 x 1 x 1 (3, -1)
+texture leaves: sampler2DArray not smooth map 16 x 8 x 2
 function noise_at(%p: vec2, %scale: float) -> float {
   %0 = splat %scale : vec2
   %1 = dot %p, %0 : float
@@ -113,6 +115,14 @@ TEST(Print, WhatIsReadIsWhatTheTextSays) {
   EXPECT_EQ(layer.loops[1].step, -3);
   EXPECT_FALSE(module.globals[5].is_smooth);
   EXPECT_EQ(module.globals[6].name, "odd name");
+  EXPECT_FALSE(module.globals[6].map);
+  ASSERT_TRUE(module.globals[7].map);
+  EXPECT_EQ(module.globals[7].map->width, 2u);
+  EXPECT_EQ(module.globals[7].map->height, 1u);
+  EXPECT_EQ(module.globals[7].map->values, (std::vector<int32_t>{3, -1}));
+  ASSERT_TRUE(module.globals[8].map);
+  EXPECT_EQ(module.globals[8].map->layers, 2u);
+  EXPECT_TRUE(module.globals[8].map->values.empty());
   EXPECT_FALSE(module.globals[2].value.valid());
   ASSERT_TRUE(module.globals[3].value.valid());
   EXPECT_EQ(module.Words(module.globals[3].value)[0], 12u);
