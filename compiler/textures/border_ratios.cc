@@ -40,8 +40,10 @@ class Lines {
         step_(vertical ? level.width : 1),
         across_(vertical ? 1 : level.width),
         length_(vertical ? level.height : level.width),
-        count_(vertical ? level.width : level.height) {}
+        count_(vertical ? level.width : level.height),
+        is_vertical_(vertical) {}
 
+  bool is_vertical() const { return is_vertical_; }
   size_t length() const { return length_; }
   size_t count() const { return count_; }
   double At(size_t layer, size_t line, size_t i, size_t channel) const {
@@ -52,28 +54,40 @@ class Lines {
  private:
   const ir::Texture::Level& level_;
   size_t step_, across_, length_, count_;
+  bool is_vertical_;
 };
 
-void AddInside(const Lines& lines, size_t layers, size_t skip, Differences& inside) {
+// What begins at texel i of a line: the difference to the next one, and of that to the one after.
+void AddTexel(const Lines& lines, size_t layer, size_t line, size_t i, size_t skip,
+              Differences& inside) {
   const size_t n = lines.length();
+  for (size_t c = 0; c < 4; ++c) {
+    const double here = lines.At(layer, line, i, c);
+    const double next = lines.At(layer, line, (i + 1) % n, c);
+    if (i + 1 + skip < n) inside.values.Add(std::abs(next - here));
+    // A pattern of two texels has no slopes inside but those across its own border.
+    if (n > 2 && i + 2 + skip >= n) continue;
+    const double second = lines.At(layer, line, (i + 2) % n, c);
+    inside.slopes.Add(std::abs(here - 2 * next + second));
+  }
+}
+
+void AddInside(const Lines& lines, size_t layers, size_t skip, Differences& inside) {
+  // As the texels lie in memory.
+  const size_t rows = lines.is_vertical() ? lines.length() : lines.count();
+  const size_t columns = lines.is_vertical() ? lines.count() : lines.length();
   for (size_t layer = 0; layer < layers; ++layer) {
-    for (size_t line = skip; line + skip < lines.count(); ++line) {
-      for (size_t i = skip; i + skip < n; ++i) {
-        for (size_t c = 0; c < 4; ++c) {
-          const double here = lines.At(layer, line, i, c);
-          const double next = lines.At(layer, line, (i + 1) % n, c);
-          if (i + 1 + skip < n) inside.values.Add(std::abs(next - here));
-          // A pattern of two texels has no slopes inside but those across its own border.
-          if (n > 2 && (i + 2 + skip >= n)) continue;
-          const double second = lines.At(layer, line, (i + 2) % n, c);
-          inside.slopes.Add(std::abs(here - 2 * next + second));
-        }
+    for (size_t y = skip; y + skip < rows; ++y) {
+      for (size_t x = skip; x + skip < columns; ++x) {
+        AddTexel(lines, layer, lines.is_vertical() ? x : y, lines.is_vertical() ? y : x, skip,
+                 inside);
       }
     }
   }
 }
 
-void AddBorders(const Lines& lines, size_t layers, Differences& borders, DifferenceMean& jumps) {
+void AddBorders(const Lines& lines, size_t layers, size_t most_lines, Differences& borders,
+                DifferenceMean& halves, DifferenceMean& jumps) {
   const size_t n = lines.length();
   const auto pairs = static_cast<double>(layers * (layers - 1));
   std::vector<double> a(layers), b(layers);
@@ -84,7 +98,8 @@ void AddBorders(const Lines& lines, size_t layers, Differences& borders, Differe
     }
     mean.Add(SumOfPairs(a, b), pairs);
   };
-  for (size_t line = 0; line < lines.count(); ++line) {
+  const size_t stride = (lines.count() + most_lines - 1) / most_lines;
+  for (size_t line = 0; line < lines.count(); line += stride) {
     for (size_t c = 0; c < 4; ++c) {
       const auto first = [&](size_t k) { return lines.At(k, line, 0, c); };
       const auto second = [&](size_t k) { return lines.At(k, line, 1, c); };
@@ -92,6 +107,9 @@ void AddBorders(const Lines& lines, size_t layers, Differences& borders, Differe
       const auto before = [&](size_t k) { return lines.At(k, line, n - 2, c); };
       const auto slope = [&](size_t k) { return first(k) - last(k); };
       add(borders.values, last, first);
+      add(
+          halves, [&](size_t k) { return 0.75 * last(k) + 0.25 * first(k); },
+          [&](size_t k) { return 0.75 * first(k) + 0.25 * last(k); });
       add(
           borders.slopes, [&](size_t k) { return 2 * last(k) - before(k); }, first);
       add(borders.slopes, last, [&](size_t k) { return 2 * first(k) - second(k); });
@@ -115,18 +133,19 @@ Differences MeasureInside(const ir::Texture::Level& level, bool skip_ring) {
   return inside;
 }
 
-BorderRatios CompareBorders(const ir::Texture::Level& level, const Differences& inside) {
+BorderRatios CompareBorders(const ir::Texture::Level& level, const Differences& inside,
+                            size_t most_lines) {
   if (level.depth < 2 || level.width < 2 || level.height < 2) return {};
   Differences borders;
-  DifferenceMean jumps;
+  DifferenceMean halves, jumps;
   for (bool vertical : {false, true})
-    AddBorders(Lines(level, vertical), level.depth, borders, jumps);
-  return {Ratio(borders.values, inside.values),
+    AddBorders(Lines(level, vertical), level.depth, most_lines, borders, halves, jumps);
+  return {std::max(Ratio(borders.values, inside.values), 2 * Ratio(halves, inside.values)),
           std::max(Ratio(borders.slopes, inside.slopes), Ratio(jumps, inside.slopes))};
 }
 
 BorderRatios MeasureBorders(const ir::Texture::Level& level) {
-  return CompareBorders(level, MeasureInside(level, false));
+  return CompareBorders(level, MeasureInside(level, false), level.texels.size());
 }
 
 }  // namespace texgraph::textures

@@ -26,6 +26,8 @@ struct Differences {
 
 // Of all neighbours within the layers; `skip_ring`: without those that touch the outermost texels.
 Differences MeasureInside(const ir::Texture::Level& level, bool skip_ring);
-BorderRatios CompareBorders(const ir::Texture::Level& level, const Differences& inside);
+// Along at most so many lines of texels, evenly spread.
+BorderRatios CompareBorders(const ir::Texture::Level& level, const Differences& inside,
+                            size_t most_lines);
 
 }  // namespace texgraph::textures

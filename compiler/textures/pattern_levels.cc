@@ -15,11 +15,22 @@ namespace {
 using ir::Texel;
 using PatternLevel = ir::Texture::Level;
 
-// What is tried to be left of slopes, own and common ones, in this order.
-constexpr std::array<std::array<double, 2>, 8> kSlopes = {
-    {{1, 1}, {0.75, 1}, {0.5, 1}, {0.25, 1}, {0, 1}, {0, 0.75}, {0, 0.5}, {0, 0.25}}};
+// What is tried: how far the means at the borders go to those of all patterns, and what is left of
+// slopes there, own and common ones. In this order.
+struct Strength {
+  double means, own, common;
+};
+constexpr Strength kStrengths[] = {{1, 1, 1}, {1, 0.75, 1}, {1, 0.5, 1}, {1, 0.25, 1},
+                                   {1, 0, 1}, {1, 0, 0.75}, {1, 0, 0.5}, {1, 0, 0.25}};
+// In levels of so few texels, borders that are the same everywhere would be a grid to see.
+constexpr uint32_t kTinySide = 4;
+constexpr Strength kTinyStrengths[] = {{0, 1, 1},     {0.25, 1, 1}, {0.25, 0.5, 1}, {0.5, 1, 1},
+                                       {0.5, 0.5, 1}, {0.75, 1, 1}, {0.75, 0, 1},   {1, 1, 1},
+                                       {1, 0.5, 1},   {1, 0, 1},    {1, 0, 0.5}};
 // Up to this size, what is inside of the patterns is mostly what is at their borders.
 constexpr uint32_t kSmallSide = 16;
+// How many lines of texels tell whether borders fit.
+constexpr size_t kTriedLines = 128;
 
 // Of the difference of a pattern's mean from that of all, what the level before the last loses.
 // With a pixel of f tiles a side, the pattern in its middle has (1 - f/4)^2 of it in the mean, for
@@ -83,14 +94,16 @@ class EdgeMatcher {
     // Inside of large levels the change is not seen; trying it needs two rings of texels alone.
     const bool is_small = side <= kSmallSide;
     Differences inside = MeasureInside(level_, !is_small);
-    Change best{1, 1, 1};
+    const std::span<const Strength> strengths =
+        side <= kTinySide ? std::span<const Strength>(kTinyStrengths) : kStrengths;
+    Change best{1, {1, 1, 1}};
     double least = std::numeric_limits<double>::infinity();
     for (uint32_t reach = 1; reach <= side / 2; reach *= 2) {
-      for (const auto& [own, common] : kSlopes) {
-        const Change change{reach, own, common};
+      for (const Strength& strength : strengths) {
+        const Change change{reach, strength};
         Apply(change, is_small ? reach : 2);
         if (is_small) inside = MeasureInside(level_, false);
-        const BorderRatios ratios = CompareBorders(level_, inside);
+        const BorderRatios ratios = CompareBorders(level_, inside, kTriedLines);
         const double largest = std::max(ratios.values, ratios.slopes);
         // A wider change has to be worth it. Where nothing is the same as anything, it is the
         // smoothest.
@@ -108,9 +121,7 @@ class EdgeMatcher {
  private:
   struct Change {
     uint32_t reach;  // how many texels deep it goes: 1 for the outermost ones alone
-    // What is left of the slopes at the border: of what a layer's differs from that of the mean,
-    // and of that of the mean.
-    double own, common;
+    Strength strength;
   };
 
   const Texel& Given(size_t layer, const Group& group, size_t i) const {
@@ -139,34 +150,38 @@ class EdgeMatcher {
     for (size_t layer = 0; layer < level_.depth; ++layer) {
       const Texel* mean = means_.data();
       for (const Group& group : groups_) {
-        for (size_t c = 0; c < 4; ++c) ChangeGroup(group, layer, c, mean, change);
+        for (size_t c = 0; c < 4; ++c) ChangeGroup(group, layer, c, mean, change.strength);
         mean += group.count;
       }
       ChangeInside(layer, across, up, std::min(depth, level_.height / 2));
     }
   }
 
-  // The mean texels, but with another amplitude, as far as all texels stay within 0 to 1.
+  // On the way to the mean texels, but with another amplitude, as far as all texels stay within 0
+  // to 1.
   void ChangeGroup(const Group& group, size_t layer, size_t c, const Texel* mean,
-                   const Change& change) {
-    float own = 0, common = 0;
-    for (size_t i = 0; i < group.count; ++i) {
-      own += Group::Sign(i) * Given(layer, group, i)[c];
-      common += Group::Sign(i) * mean[i][c];
-    }
+                   const Strength& strength) {
+    const auto part = static_cast<float>(strength.means);
     const auto count = static_cast<float>(group.count);
-    float move = (static_cast<float>(change.own) * (own - common) -
-                  static_cast<float>(1 - change.common) * common) /
-                 count;
-    float up = 1, down = -1;  // how far it may go
+    float own = 0, common = 0;  // amplitudes
     for (size_t i = 0; i < group.count; ++i) {
-      const float above = 1 - mean[i][c], below = mean[i][c];
+      own += Group::Sign(i) * Given(layer, group, i)[c] / count;
+      common += Group::Sign(i) * mean[i][c] / count;
+    }
+    std::array<float, 4> values;
+    float up = 1, down = -1;  // how far the amplitude may move
+    for (size_t i = 0; i < group.count; ++i) {
+      const float given = Given(layer, group, i)[c];
+      values[i] = part == 1 ? mean[i][c] : given + part * (mean[i][c] - given);
+      const float above = 1 - values[i], below = values[i];
       up = std::min(up, Group::Sign(i) > 0 ? above : below);
       down = std::max(down, Group::Sign(i) > 0 ? -below : -above);
     }
-    move = std::clamp(move, down, up);
+    const float wanted = static_cast<float>(strength.own) * (own - common) +
+                         static_cast<float>(strength.common) * common;
+    const float move = std::clamp(wanted - own - part * (common - own), down, up);
     for (size_t i = 0; i < group.count; ++i) {
-      const float value = mean[i][c] + Group::Sign(i) * move;
+      const float value = values[i] + Group::Sign(i) * move;
       level_.texels[layer * plane_ + group.index[i]][c] = value;
       changes_[group.index[i]][c] = value - Given(layer, group, i)[c];
     }

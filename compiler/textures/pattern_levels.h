@@ -16,11 +16,13 @@ namespace texgraph::textures {
 std::vector<double> LayerShares(std::span<const double> weights, size_t layers);
 
 // Changes every layer near its borders, in levels of 2x2 texels or more, so that a tiling of the
-// patterns, sampled bilinearly with wrap repeat, has no jump in value at any border, and none in
-// slope that is larger in the mean than those inside of the patterns, as far as that can be had:
-// the outermost texels alone where that is enough, more where it is not. Numbers stay within 0 to
-// 1. Level 0 stays as it is if its outermost texels are equal in all layers. Where alpha is
-// opacity, it weighs the colours of the mean that texels are moved to.
+// patterns, sampled bilinearly with wrap repeat, has no jump in value at any border (in levels of 4
+// texels a side and less: none that is larger in the mean than the differences inside of the
+// patterns in steps of half a texel or more), and none in slope that is larger in the mean than
+// those inside, as far as that can be had: the outermost texels alone where that is enough, more
+// where it is not. Numbers stay within 0 to 1. Level 0 stays as it is if its outermost texels are
+// equal in all layers. Where alpha is opacity, it weighs the colours of the mean that texels are
+// moved to.
 void MatchEdges(ir::Texture& patterns, std::span<const double> shares, bool alpha_is_opacity);
 
 // Gives all layers of the 1x1 level the mean of all patterns, and lets the level before it go there
@@ -28,11 +30,11 @@ void MatchEdges(ir::Texture& patterns, std::span<const double> shares, bool alph
 void MixCoarsestLevels(ir::Texture& patterns, std::span<const double> shares,
                        bool alpha_is_opacity);
 
-// Mean absolute differences of neighbouring texels at borders of two different layers, as parts of
-// those inside of the layers, over both axes and all channels. 0 where there are none at borders,
-// infinity where there are none inside.
+// Mean absolute differences at borders of two different layers, as parts of those inside of the
+// layers, over both axes and all channels. 0 where there are none at borders, infinity where there
+// are none inside.
 struct BorderRatios {
-  double values = 0;
+  double values = 0;  // the larger of steps of a texel, and of half a texel of the filter's
   double slopes = 0;  // the larger of second differences, and of jumps of the bilinear slope
 };
 BorderRatios MeasureBorders(const ir::Texture::Level& level);
