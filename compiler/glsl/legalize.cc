@@ -2,6 +2,7 @@
 #include "compiler/glsl/legalize.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <unordered_map>
 
 #include "compiler/glsl/limits.h"
@@ -17,6 +18,13 @@ using ir::Inst;
 using ir::Op;
 using ir::TypeId;
 using ir::ValueId;
+
+// Whole numbers from `low` to `high`.
+struct Interval {
+  int64_t low;
+  int64_t high;
+};
+constexpr Interval kAllInts{INT32_MIN, INT32_MAX};
 
 bool HasArray(const ir::Types& types, TypeId type) {
   const ir::Type& t = types[type];
@@ -98,6 +106,8 @@ class Legalizer : public ir::Rebuilder {
   ValueId ByComponent(ValueId old);
   ValueId SelectWhole(ValueId old);
   ValueId Index(ValueId old);
+  Interval IntervalOf(ValueId value, int depth) const;
+  Interval IntervalOf(const ir::ForLoop& loop) const;
   bool IsInRange(ValueId index, uint32_t count) const;
 
   const Dialect dialect_;
@@ -154,40 +164,76 @@ ValueId Legalizer::SelectWhole(ValueId old) {
   return to_.If(x[0], then_region, else_region);
 }
 
+// The numbers that `value` of the old function can be, whatever its inputs are. Of integers alone:
+// what a float that is not finite turns into, nobody knows.
+Interval Legalizer::IntervalOf(ValueId value, int depth) const {
+  const Inst& inst = from_[value];
+  const Interval all = inst.type == ir::kUint ? Interval{0, 0xffffffff} : kAllInts;
+  if (inst.op == Op::kConst) {
+    const uint32_t word = module_.Words(ir::ConstId(inst.aux))[0];
+    const int64_t number = inst.type == ir::kUint ? int64_t(word) : int64_t(int32_t(word));
+    return {number, number};
+  }
+  if (inst.op == Op::kParam) {
+    auto found = loops_.find(value);
+    return found != loops_.end() ? IntervalOf(from_.loops[found->second]) : all;
+  }
+  if (depth == 0 || (inst.type != ir::kInt && inst.type != ir::kUint)) return all;
+  std::span<const ValueId> operands = from_.Operands(inst);
+  auto of = [&](size_t i) { return IntervalOf(operands[i], depth - 1); };
+  auto fitting = [&](Interval x) { return x.low < all.low || x.high > all.high ? all : x; };
+  switch (inst.op) {
+    case Op::kAnd: {
+      const Interval a = of(0), b = of(1);
+      if (a.low < 0 && b.low < 0) return all;
+      return {0, a.low < 0 ? b.high : b.low < 0 ? a.high : std::min(a.high, b.high)};
+    }
+    case Op::kMod: {
+      const Interval a = of(0), b = of(1);
+      return a.low >= 0 && b.low > 0 ? Interval{0, std::min(a.high, b.high - 1)} : all;
+    }
+    case Op::kClamp: {
+      const Interval low = of(1), high = of(2);
+      return low.low == low.high && high.low == high.high && low.low <= high.low
+                 ? Interval{low.low, high.low}
+                 : all;
+    }
+    case Op::kAdd: {
+      const Interval a = of(0), b = of(1);
+      return fitting({a.low + b.low, a.high + b.high});
+    }
+    case Op::kMul: {
+      const Interval a = of(0), b = of(1);
+      // Not more than 64 bits: both are below 2^32.
+      if (a.low < 0 || b.low < 0 || a.high > INT32_MAX || b.high > INT32_MAX) return all;
+      return fitting({a.low * b.low, a.high * b.high});
+    }
+    case Op::kShr: {
+      const Interval a = of(0), b = of(1);
+      if (b.low != b.high || b.low < 0 || b.low > 31) return all;
+      return {a.low >> b.low, a.high >> b.low};
+    }
+    case Op::kConvert: {
+      const TypeId from = from_[operands[0]].type;
+      return from == ir::kInt || from == ir::kUint ? fitting(of(0)) : all;
+    }
+    default:
+      return all;
+  }
+}
+
+// What a loop's index is in its body.
+Interval Legalizer::IntervalOf(const ir::ForLoop& loop) const {
+  const int64_t trips = std::max<int64_t>(loop.Trips(), 1);
+  const int64_t last = loop.first + (trips - 1) * loop.step;
+  return {std::min<int64_t>(loop.first, last), std::max<int64_t>(loop.first, last)};
+}
+
 // Whether `index` of the old function is known to be at least 0 and less than `count`.
 bool Legalizer::IsInRange(ValueId index, uint32_t count) const {
-  const Inst& inst = from_[index];
-  auto constant = [&](ValueId v) -> int64_t {
-    if (from_[v].op != Op::kConst) return -1;
-    uint32_t word = module_.Words(ir::ConstId(from_[v].aux))[0];
-    return from_[v].type == ir::kUint ? int64_t(word) : int64_t(int32_t(word));
-  };
-  std::span<const ValueId> operands = from_.Operands(inst);
-  switch (inst.op) {
-    case Op::kConst:
-      return constant(index) >= 0 && constant(index) < count;
-    case Op::kAnd:
-      for (ValueId mask : operands) {
-        if (int64_t c = constant(mask); c >= 0 && c < count) return true;
-      }
-      return false;
-    case Op::kMod:
-      return inst.type == ir::kUint && constant(operands[1]) > 0 && constant(operands[1]) <= count;
-    case Op::kClamp:
-      return constant(operands[1]) >= 0 && constant(operands[2]) >= constant(operands[1]) &&
-             constant(operands[2]) < count;
-    case Op::kParam:
-      if (auto found = loops_.find(index); found != loops_.end()) {
-        const ir::ForLoop& loop = from_.loops[found->second];
-        if (loop.Trips() == 0) return true;
-        int64_t last = loop.first + (int64_t(loop.Trips()) - 1) * loop.step;
-        return std::min<int64_t>(loop.first, last) >= 0 &&
-               std::max<int64_t>(loop.first, last) < count;
-      }
-      return false;
-    default:
-      return false;
-  }
+  constexpr int kDepth = 8;
+  const Interval interval = IntervalOf(index, kDepth);
+  return interval.low >= 0 && interval.high < count;
 }
 
 // Outside its array, the index is the nearest one inside.

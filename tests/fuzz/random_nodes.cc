@@ -121,7 +121,7 @@ Argument RandomNodes::List(const Port& port) {
   return list;
 }
 
-Tree RandomNodes::TreeOf(const Argument& literal) {
+Tree RandomNodes::TreeOf(const Argument& literal, bool is_list) {
   const auto number = [&](double value) {
     if (literal.is_integer) return Tree::Raw(fmt::format("{:.0f}", value));
     std::string text = fmt::format("{}", value);
@@ -140,7 +140,8 @@ Tree RandomNodes::TreeOf(const Argument& literal) {
   Tree array = Tree::Array();
   const size_t count = literal.numbers.size();
   // Matrices, row by row; lists of vectors.
-  const size_t side = literal.columns ? literal.columns : count == 9 ? 3 : count == 16 ? 4 : 0;
+  size_t side = literal.columns;
+  if (side == 0 && !is_list) side = count == 9 ? 3 : count == 16 ? 4 : 0;
   Tree* row = &array;
   for (size_t i = 0; i < count; ++i) {
     if (side > 0 && i % side == 0) row = &array.Add(Tree::Array());
@@ -188,7 +189,7 @@ std::optional<Tree> RandomNodes::MakeArgument(const Port& port, uint32_t connect
   if (!argument.thing) {
     if (std::optional<Argument> literal = Literal(port)) {
       argument.literal = *literal;
-      return TreeOf(argument.literal);
+      return TreeOf(argument.literal, port.max_length > 0);
     }
     argument.thing = Pick(port);
   }

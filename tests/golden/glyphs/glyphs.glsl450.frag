@@ -545,7 +545,7 @@ float sdf_polyline(vec2 uv, vec2 uv_dx, vec2 uv_dy, out float result_dx, out flo
   int nearest = 0;
   float least = 1e30;
   for (int i = 0; i < 8; ++i) {
-    float found = nearness_frame(points5[i] - uv, points5[clamp(i + 1, 0, 8)] - uv);
+    float found = nearness_frame(points5[i] - uv, points5[i + 1] - uv);
     nearest = found < least ? i : nearest;
     least = min(found, least);
   }

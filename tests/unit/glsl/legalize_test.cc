@@ -68,6 +68,17 @@ TEST(Legalize, IndexesStayInside) {
   EXPECT_EQ(indexed("  %1 = mod @i, 4 : int\n", "%1"), "v[clamp(i % 4, 0, 3)]");
   EXPECT_EQ(indexed("  %1 = clamp @i, 1, 3 : int\n", "%1"), "v[clamp(i, 1, 3)]");
   EXPECT_EQ(indexed("  %1 = clamp @i, 3, 0 : int\n", "%1"), "v[clamp(clamp(i, 3, 0), 0, 3)]");
+  // A row of two, and a place in it from the upper bits.
+  const std::string place = "  %1 = shr @u, 31u : uint\n  %2 = convert %1 : int\n";
+  const std::string row = "  %3 = clamp @i, 0, 1 : int\n  %4 = mul %3, 2 : int\n";
+  EXPECT_EQ(indexed(place + row + "  %5 = add %4, %2 : int\n", "%5"),
+            "v[clamp(i, 0, 1) * 2 + int(u >> 31u)]");
+  EXPECT_EQ(indexed(row + "  %5 = add %4, 2 : int\n", "%5"),
+            "v[clamp(clamp(i, 0, 1) * 2 + 2, 0, 3)]");
+  EXPECT_EQ(indexed("  %1 = add @i, 1 : int\n  %2 = and %1, -1 : int\n", "%2"),
+            "v[clamp((i + 1) & -1, 0, 3)]")
+      << "the sum may wrap";
+  EXPECT_EQ(indexed("  %1 = shr @i, 30 : int\n", "%1"), "v[clamp(i >> 30, 0, 3)]");
 }
 
 TEST(Legalize, IndexesOfLoops) {

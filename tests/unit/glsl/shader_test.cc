@@ -86,7 +86,7 @@ Tile brick_grid(vec2 uv, int rows, out float mask) {
 // layer (layers/layer.glsl)
 vec4 layer(Tile tile, sampler2D image, vec3 tint, vec2 dx, vec2 dy) {
   vec4 texel = textureGrad(image, tile.local, dx, dy);
-  float weight = table[clamp(int(tile.seed & 3u), 0, 3)];
+  float weight = table[int(tile.seed & 3u)];
   return vec4(texel.xyz * tint * weight, texel.w);
 }
 
@@ -197,7 +197,7 @@ test_Tile test_brick_grid(vec2 uv, int rows, out float mask) {
 // layer (layers/layer.glsl)
 vec4 test_layer(test_Tile tile, sampler2D image, vec3 tint, vec2 dx, vec2 dy) {
   vec4 texel = textureGrad(image, tile.local, dx, dy);
-  float weight = test_table[clamp(int(tile.seed & 3u), 0, 3)];
+  float weight = test_table[int(tile.seed & 3u)];
   return vec4(texel.xyz * tint * weight, texel.w);
 }
 
