@@ -112,6 +112,20 @@ class Generator {
     return thing;
   }
 
+  // A few rows of small numbers, or as many lists.
+  void MakeMap(Tree& texture) {
+    Tree& rows = texture.Set(OneIn(3) ? "lists" : "map", Tree::Array());
+    const uint32_t width = 1 + Below(4);
+    for (uint32_t y = 0, height = 1 + Below(4); y < height; ++y) {
+      Tree row = Tree::Array();
+      for (uint32_t x = 0; x < width; ++x) {
+        row.Add(Tree::Raw(std::to_string(static_cast<int>(Below(6)) - 1)));
+      }
+      rows.Add(std::move(row));
+    }
+    if (OneIn(2)) texture.Set("binding", Tree::String(OneIn(3) ? "texture" : "constant"));
+  }
+
   void MakeTextures(Tree& root, RandomNodes& nodes) {
     Tree section = Tree::Object();
     for (uint32_t i = 0, n = 1 + Below(3); i < n; ++i) {
@@ -120,6 +134,12 @@ class Generator {
       thing.kind = Thing::Kind::kTexture;
       thing.reference = FreshName();
       thing.type = OneIn(5) ? ir::kSampler2DArray : ir::kSampler2D;
+      if (thing.type == ir::kSampler2D && OneIn(4)) {
+        MakeMap(texture);
+        section.Set(thing.reference, std::move(texture));
+        nodes.AddThing(std::move(thing));
+        continue;
+      }
       if (thing.type == ir::kSampler2D) {
         texture.Set("file", Tree::String(OneOf(kImages, random_).name));
       } else {
