@@ -147,6 +147,10 @@ class Generator {
         for (uint32_t l = 0, m = 1 + Below(3); l < m; ++l) {
           layers.Add(Tree::String(OneOf(kEqualFiles, random_)));
         }
+        if (OneIn(3)) {
+          texture.Set("pack", Tree::String("volume"));
+          thing.type = ir::kSampler3D;
+        }
       }
       constexpr const char* kWraps[] = {"repeat", "clamp", "mirror"};
       constexpr const char* kSpaces[] = {"srgb", "linear", "data"};
