@@ -117,6 +117,28 @@ std::string Transformed(const Pose& pose, const char* place, const std::string& 
          R"(}}}, "outputs": {"height": "moved.coverage"}})";
 }
 
+// O15. A pattern that is moved by so much moves by so much, wherever its tile is: no place grows
+// with the number of the cell.
+TEST(TileTransformTest, MovesAsFastFarAway) {
+  for (double cell : {0.0, 1000.0, -524288.0, 524000.0}) {
+    std::vector<Vector> uv;
+    for (const Vector& p : Lattice(0, 1, 8)) uv.push_back({cell + p[0], cell + p[1]});
+    Values tiles =
+        RunBlock("virtual_tile_map", {{"uv", Vectors(uv)}, {"cells", CellsOf({{1, 1}})}})["tile"];
+    auto at = [&](double x) {
+      return RunBlock("tile_transform", {{"tile", tiles},
+                                         {"position", Vectors({{x, 0.25}})},
+                                         {"scale", Floats({0.5})},
+                                         {"place", Word{"anywhere"}}})["inner"];
+    };
+    Values before = at(0.25), after = at(0.28125);
+    for (size_t i = 0; i < uv.size(); ++i) {
+      EXPECT_NEAR(before.Float(i, 2) - after.Float(i, 2), 0.03125 / 0.5, 1e-5) << cell;
+      EXPECT_EQ(before.Float(i, 3), after.Float(i, 3)) << cell;
+    }
+  }
+}
+
 // O11. The area that is covered is what the patterns take, n s^2, and nothing is counted twice.
 TEST(TileTransformTest, CoversItsArea) {
   const std::vector<Point> points = Scatter(20000);
