@@ -222,5 +222,24 @@ TEST_F(Derived, WeightsAreInTheCoarsestLevel) {
   }
 }
 
+TEST_F(Derived, FilesOfAnotherKindAreRefused) {
+  WriteGraph(std::string(kSheet) + R"(, "where": { "map": [[0, 1], [3, 2]], "of": "ground" })",
+             "sampler2D map, sampler2DArray patterns", R"("map": "where", "patterns": "ground")",
+             kShowMap);
+  ASSERT_EQ(
+      Texgraphc({"-I", "blocks", "g.json", "-o", "out/g.frag"}, folder.path()).Run().exit_code, 0);
+  folder.Write("out/g.where.ktx2", folder.Read("out/g.ground.ktx2"));
+  Program program;
+  program.path = TEXGRAPH_PROGRAM;
+  program.folder = folder.path();
+  program.arguments = {"render", "out/g.json", "-o", "o.png"};
+  const Outcome outcome = program.Run();
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(
+      outcome.error.find("has the texels of a sampler2DArray, but the texture is a sampler2D"),
+      std::string::npos)
+      << outcome.error;
+}
+
 }  // namespace
 }  // namespace texgraph

@@ -48,6 +48,24 @@ const char* const kWhole = R"({
      "map": {"holds": "lists", "of": "brick", "count": 12}}]
 })";
 
+TEST(ManifestTest, ReadsDerivedTextures) {
+  const Outcome outcome = Read(R"({
+  "texgraph_manifest": 1, "shader": "g.frag", "dialect": "glsl330",
+  "outputs": [{"name": "height", "variable": "out_height", "type": "float"}],
+  "textures": [
+    {"name": "tree", "type": "sampler3D", "status": "used", "variable": "tree", "files": ["g.tree.ktx2"],
+     "color_space": "srgb", "wrap": ["clamp", "repeat", "mirror"], "format": "srgb8_alpha8"},
+    {"name": "idle", "type": "sampler2D", "status": "unused", "files": [], "color_space": "linear"}]
+})");
+  ASSERT_TRUE(outcome.manifest) << outcome.text;
+  const ManifestTexture& tree = outcome.manifest->textures[0];
+  EXPECT_TRUE(tree.has_levels);
+  EXPECT_TRUE(tree.options.is_3d);
+  EXPECT_FALSE(tree.options.is_array);
+  EXPECT_EQ(tree.options.wrap_w, ir::Wrap::kMirror);
+  EXPECT_FALSE(outcome.manifest->textures[1].has_levels);
+}
+
 TEST(ManifestTest, ReadsEverything) {
   const Outcome outcome = Read(kWhole);
   ASSERT_TRUE(outcome.manifest) << outcome.text;
