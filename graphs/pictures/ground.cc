@@ -63,7 +63,7 @@ class Ground {
            0.30 * Inside(p) * Fractal(p * 3.3, 3, plan_.seed + 31) * 4 * share * (1 - share);
   }
   double Clump(Point p) const {
-    return 0.8 * Fractal(p * 4, 3, kShared + 11, 4) +
+    return 0.35 * Fractal(p * 10, 2, kShared + 11, 10) +
            plan_.clumps * Inside(p) * Fractal(p * 3.1, 3, plan_.seed + 11);
   }
   double Bare(Point p) const {
@@ -84,8 +84,8 @@ class Ground {
 
 Color Ground::Soil(Point p) const {
   const double crumb = Fractal(p * 24, 3, kShared + 31, 24);
-  const double cloud = Fractal(p * 4, 3, kShared + 41, 4);
-  const Color earth = Mix({0.43, 0.37, 0.285}, {0.62, 0.55, 0.44}, SmoothStep(-0.6, 0.7, crumb));
+  const double cloud = Fractal(p * 11, 2, kShared + 41, 11);
+  const Color earth = Mix({0.45, 0.36, 0.24}, {0.66, 0.55, 0.39}, SmoothStep(-0.6, 0.7, crumb));
   const Color green = Mix({0.13, 0.17, 0.06}, {0.22, 0.25, 0.09}, SmoothStep(-0.5, 0.5, cloud));
   return Mix(green, earth, SmoothStep(0.15, 0.6, Bare(p)));
 }
@@ -113,8 +113,8 @@ void Ground::LayBlade(Point at, int x, int y, int layer, uint32_t seed) {
   const double sand = Sand(at);
   if (sand > 0.5 + 0.10 * Random(x, y, seed + 1)) return;
   if (Bare(at) > 0.25 + 0.75 * Random(x, y, seed + 2)) return;
-  const Point wind{1.3 * Noise(at * 3, kShared + 91, 3) + 0.25,
-                   1.3 * Noise(at * 3, kShared + 101, 3) - 0.35};
+  const Point wind{1.1 * Noise(at * 6, kShared + 91, 6) + 0.25,
+                   1.1 * Noise(at * 6, kShared + 101, 6) - 0.35};
   const Point along = Unit(Direction(x, y, seed + 3) * 0.9 + wind);
   const double lush = SmoothStep(0.55, 0.25, sand);  // grass is short where it meets the sand
   const double length = (0.050 + 0.050 * Random(x, y, seed + 5)) * (0.55 + 0.45 * lush);
