@@ -32,7 +32,8 @@ struct AtlasGrid {
   uint32_t rows;
 };
 
-// Puts `picture`, a level of one picture, at its place in the same level of the atlas.
+// Puts `picture`, a level of one picture, at its place in the same level of the atlas, whose first
+// row of pictures is its last of texels.
 void Place(const ir::Texture::Level& picture, const AtlasGrid& grid, size_t index,
            ir::Texture::Level& atlas) {
   if (atlas.texels.empty()) {
@@ -41,7 +42,7 @@ void Place(const ir::Texture::Level& picture, const AtlasGrid& grid, size_t inde
     atlas.texels.resize(size_t{atlas.width} * atlas.height);
   }
   const size_t left = index % grid.columns * picture.width;
-  const size_t bottom = index / grid.columns * picture.height;
+  const size_t bottom = (grid.rows - 1 - index / grid.columns) * picture.height;
   for (size_t y = 0; y < picture.height; ++y) {
     std::copy_n(picture.texels.begin() + static_cast<ptrdiff_t>(y * picture.width), picture.width,
                 atlas.texels.begin() + static_cast<ptrdiff_t>((bottom + y) * atlas.width + left));

@@ -24,8 +24,8 @@ std::optional<std::vector<Image>> CutSheet(const Image& sheet, uint32_t columns,
 bool CheckSheet(const ImageInfo& sheet, uint32_t columns, uint32_t rows, std::string_view name,
                 SourceRange range, Diagnostics& diagnostics);
 
-// One 2D texture, `columns` pictures wide and as high as needed: picture i stands in column
-// i % columns and row i / columns, counted from v = 0 up; places left over are transparent black.
+// One 2D texture, `columns` pictures wide and as high as needed: the pictures stand as in a sheet,
+// from the left top corner, row by row; places left over are transparent black.
 // The levels are made for each picture alone, wrapped by itself, as long as both sides of a picture
 // are even: the last has one texel a picture if they are equal powers of two. That is the sampler's
 // max_level, too. `options` as in MakeTexture; `is_array` and `is_3d` are not looked at. Reported

@@ -157,11 +157,11 @@ TEST_F(Derived, ListsBeginAtTheBottom) {
   ExpectMap(RenderBoth(), {3, 3, 0, 1});
 }
 
-TEST_F(Derived, AtlasesCountUpwards) {
+TEST_F(Derived, AtlasesAreAsSheets) {
   WriteGraph(R"("joined": { "layers": ["p0.png", "p1.png", "p2.png", "p3.png"], "pack": "atlas",
                 "grid": [2, 2] })",
              "sampler2D atlas", R"("atlas": "joined")", "return texture(atlas, uv);");
-  ExpectMap(RenderBoth(), {2, 3, 0, 1});
+  ExpectMap(RenderBoth(), {0, 1, 2, 3});
   EXPECT_NE(Manifest().find("\"max_level\": 3"), std::string::npos);
 }
 

@@ -85,7 +85,7 @@ TEST(AtlasTest, NoLevelMixesPictures) {
       ASSERT_EQ(texture.levels[level].height, 3 * side);
       for (uint32_t y = 0; y < side; ++y) {
         for (uint32_t x = 0; x < side; ++x) {
-          const size_t at = (i / 2 * side + y) * 2 * side + i % 2 * side + x;
+          const size_t at = ((2 - i / 2) * side + y) * 2 * side + i % 2 * side + x;
           const ir::Texel expected =
               alone ? alone->levels[level].texels[y * side + x] : ir::Texel{};
           ASSERT_EQ(texture.levels[level].texels[at], expected) << i << " level " << level;
@@ -93,6 +93,17 @@ TEST(AtlasTest, NoLevelMixesPictures) {
       }
     }
   }
+}
+
+TEST(AtlasTest, PutsASheetTogetherAgain) {
+  const Image sheet = RandomImage(16, 12, 3, 8, 5);
+  Diagnostics diagnostics;
+  const auto pictures = CutSheet(sheet, 4, 3, "s", {}, diagnostics);
+  ASSERT_TRUE(pictures);
+  const auto atlas = MakeAtlas(*pictures, 4, {}, "a", {}, diagnostics);
+  const auto whole = MakeTexture(std::span(&sheet, 1), {}, "t", {}, diagnostics);
+  ASSERT_TRUE(atlas && whole);
+  EXPECT_EQ(atlas->levels[0].bytes, whole->levels[0].bytes);
 }
 
 TEST(AtlasTest, EndsWhereAPictureCannotBeHalved) {
