@@ -115,7 +115,8 @@ TEST_F(LiveGraphTest, AMapThatChangesIsOneThatWasSo) {
 
 TEST_F(LiveGraphTest, SpritesThatMoveAreWhereTheyWouldBe) {
   const std::string nodes =
-      R"("seen": { "block": "show_sprites", "in": { "sprites": "beetles", "patterns": "patterns" } })";
+      R"("seen": { "block": "show_sprites",
+                     "in": { "sprites": "beetles", "patterns": "patterns" } })";
   const auto sprites = [](const std::string& list) {
     return R"("beetles": { "of": "patterns", "cells": [6, 5], "layers": 2, "sprites": [)" + list +
            "] }";
@@ -147,11 +148,11 @@ TEST_F(LiveGraphTest, SpritesThatMoveAreWhereTheyWouldBe) {
 }
 
 TEST_F(LiveGraphTest, TheExampleMovesSprites) {
-  Compile(
-      "walk",
-      R"("beetles": { "of": "patterns", "cells": [6, 5], "layers": 3, "sprites": [
+  Compile("walk",
+          R"("beetles": { "of": "patterns", "cells": [6, 5], "layers": 3, "sprites": [
                           { "pattern": 0, "at": [1, 1] }] })",
-      R"("seen": { "block": "show_sprites", "in": { "sprites": "beetles", "patterns": "patterns" } })");
+          R"("seen": { "block": "show_sprites",
+                     "in": { "sprites": "beetles", "patterns": "patterns" } })");
   Program program;
   program.path = MOVE_SPRITES_PROGRAM;
   program.folder = folder.path();
