@@ -11,6 +11,6 @@
 float tile_near(Tile tile) {
   vec2 right = footprint_x(tile.local);
   vec2 up = footprint_y(tile.local);
-  vec2 part = 1.0 + 0.25 * (right * right + up * up);
-  return 1.0 / (part.x * part.y);
+  vec2 part = 4.0 + right * right + up * up;
+  return 16.0 / (part.x * part.y);
 }

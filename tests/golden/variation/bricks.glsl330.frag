@@ -54,9 +54,8 @@ void brick_grid(vec2 uv, vec2 uv_dx, vec2 uv_dy, out Tile tile, out vec2 tile_lo
 
 // tile_near (tiles/tile_near.glsl)
 float tile_near(vec2 tile_local_dx, vec2 tile_local_dy) {
-  vec2 product = 0.25 * (tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
-  vec2 part = 1.0 + product;
-  return 1.0 / (part.x * part.y);
+  vec2 part = 4.0 + tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy;
+  return 16.0 / (part.x * part.y);
 }
 
 // random3 (random/random3.glsl)
