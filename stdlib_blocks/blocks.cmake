@@ -44,11 +44,13 @@ set(TEXGRAPH_STDLIB_BLOCKS
   indirection/reference_texture.glsl
   indirection/texture_sprites.glsl
   indirection/tile_transform.glsl
+  indirection/transition_pattern.glsl
   indirection/transition_tiles.glsl
   indirection/virtual_areas_map.glsl
   indirection/virtual_indirection_map.glsl
   indirection/virtual_random_map.glsl
   indirection/virtual_tile_map.glsl
+  indirection/volume_slices.glsl
   layers/apply_mask.glsl
   layers/blend.glsl
   layers/layer.glsl

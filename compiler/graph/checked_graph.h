@@ -141,4 +141,9 @@ std::optional<CheckedGraph> CheckGraph(const Graph& graph, const std::vector<Set
                                        blocks::Library& library, ir::Module& module,
                                        Diagnostics& diagnostics);
 
+// Reports every port ("@multiple_of") whose columns and rows are no multiples of its map's. The
+// pictures of maps must be decoded.
+void CheckMapMultiples(const CheckedGraph& graph, const ir::Module& module,
+                       Diagnostics& diagnostics);
+
 }  // namespace texgraph::graph

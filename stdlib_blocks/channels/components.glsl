@@ -14,3 +14,11 @@ void components(vec3 vector, out float x, out float y, out float z) {
   y = vector.y;
   z = vector.z;
 }
+
+/// @param w fourth component
+void components(vec4 vector, out float x, out float y, out float z, out float w) {
+  x = vector.x;
+  y = vector.y;
+  z = vector.z;
+  w = vector.w;
+}

@@ -547,5 +547,14 @@ TEST(PixelMapTest, BordersAreAPixelWide) {
   EXPECT_NEAR(far["normal"].Float(1, 1), 0.25, 1e-4);
 }
 
+TEST(TransitionPatternTest, IsTheTilesOwnUnlessThereIsATransition) {
+  auto outputs = RunBlock("transition_pattern", {{"plain", Ints({5, 5, 5, -1})},
+                                                 {"transition", Ints({-1, 1, 14, -1})},
+                                                 {"first", Ints({15})}});
+  ASSERT_EQ(outputs.count("result"), 1u);
+  const int expected[] = {5, 16, 29, -1};
+  for (size_t i = 0; i < 4; ++i) EXPECT_EQ(outputs["result"].Int(i), expected[i]) << i;
+}
+
 }  // namespace
 }  // namespace texgraph::blocks

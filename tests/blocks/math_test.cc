@@ -253,6 +253,9 @@ TEST(ChannelsTest, PutTogetherAndTakenApart) {
   auto components = RunBlock("components", {{"vector", Vectors({{5, 6, 7}})}});
   EXPECT_EQ(components["x"].Float(0), 5.0f);
   EXPECT_EQ(components["z"].Float(0), 7.0f);
+  auto all_four = RunBlock("components", {{"vector", Vectors({{5, 6, 7, 8}})}});
+  EXPECT_EQ(all_four["x"].Float(0), 5.0f);
+  EXPECT_EQ(all_four["w"].Float(0), 8.0f);
 }
 
 // White has luminance 1, and green is brightest.

@@ -265,11 +265,11 @@ namespace {
 // `sources` must live as long as it: names point into the text.
 std::optional<Lowered> LowerGraph(std::string_view text, const std::string& folder, bool optimize,
                                   Sources& sources, Diagnostics& diagnostics) {
-  SourceId source = sources.Add(folder + "test.json", std::string(text));
+  SourceId source = sources.Add(folder + "test.jsonc", std::string(text));
   CompileOptions options;
   options.optimize = optimize;
   std::optional<Lowered> lowered =
-      Lower(source, graph::DocumentFormat::kJson, options, sources, diagnostics);
+      Lower(source, graph::DocumentFormat::kJsonc, options, sources, diagnostics);
   if (!lowered.has_value()) {
     ADD_FAILURE() << FormatDiagnostics(diagnostics, sources, false);
   } else {

@@ -84,7 +84,7 @@ struct Point {
 std::string PictureFolder();
 
 // The graph's outputs at points of the texture plane, `pixel` being how much uv changes from one
-// pixel to the next, to the right and upwards. `text` is a graph in JSON that seems to lie in
+// pixel to the next, to the right and upwards. `text` is a graph in JSON or JSONC that seems to lie in
 // `folder`. Evaluates it once with all optimisations and once without any, and fails the test where
 // they differ by more than `tolerance`. What `textures` has stands in place of the graph's textures
 // of these names.

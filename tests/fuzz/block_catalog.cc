@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include "compiler/graph/conversion.h"
 #include "compiler/graph/literal.h"
@@ -179,6 +180,11 @@ std::vector<float> BlockCatalog::Known(const Port& port,
 bool BlockCatalog::KeepsOrder(const Overload& overload,
                               std::span<const PortArgument> arguments) const {
   for (const Port& port : overload.inputs) {
+    if (port.multiple_of) {
+      for (float number : Known(port, arguments)) {
+        if (std::fmod(number, kMapMultiple) != 0) return false;
+      }
+    }
     if (!port.not_below) continue;
     const std::vector<float> least = Known(overload.inputs[*port.not_below], arguments);
     const std::vector<float> most = Known(port, arguments);

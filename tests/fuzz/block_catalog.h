@@ -28,6 +28,9 @@ struct Thing {
   const blocks::Overload* function = nullptr;  // kFunction: its inputs
 };
 
+// A multiple of the columns and rows of every map that random graphs have, 1 to 4.
+inline constexpr double kMapMultiple = 12;
+
 // What stands at a port: one of the two.
 struct PortArgument {
   std::string port;

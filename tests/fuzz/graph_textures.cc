@@ -1,12 +1,37 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/fuzz/graph_textures.h"
 
+#include <cstring>
 #include <vector>
 
 #include "compiler/manifest/graph_textures.h"
 #include "compiler/manifest/pictures.h"
 
 namespace texgraph::fuzz {
+namespace {
+
+// What a GPU sees of the texels, without its own rounding; maps are numbers already.
+textures::TextureData AsFloats(textures::TextureData data, bool mipmaps) {
+  using textures::TexelFormat;
+  if (!mipmaps) {
+    data.levels.resize(1);
+    data.sampler.mip_filter = ir::MipFilter::kNone;
+  }
+  if (data.format == TexelFormat::kR16F || data.format == TexelFormat::kR32F ||
+      data.format == TexelFormat::kRgba32F) {
+    return data;
+  }
+  const ir::Texture texture = ToTexture(data);
+  data.format = TexelFormat::kRgba32F;
+  for (size_t level = 0; level < data.levels.size(); ++level) {
+    const auto& texels = texture.levels[level].texels;
+    data.levels[level].bytes.resize(texels.size() * sizeof(texels[0]));
+    std::memcpy(data.levels[level].bytes.data(), texels.data(), data.levels[level].bytes.size());
+  }
+  return data;
+}
+
+}  // namespace
 
 GraphTextures LoadGraphTextures(const graph::Graph& graph, const std::string& folder,
                                 bool mipmaps) {
@@ -17,7 +42,8 @@ GraphTextures LoadGraphTextures(const graph::Graph& graph, const std::string& fo
     if (texture.IsDerived()) {
       auto data = manifest::MakeGraphTexture(graph, t, folder, {}, diagnostics);
       if (!data) continue;
-      loaded[std::string(texture.name)] = std::make_shared<textures::TextureData>(std::move(*data));
+      loaded[std::string(texture.name)] =
+          std::make_shared<textures::TextureData>(AsFloats(std::move(*data), mipmaps));
       continue;
     }
     std::vector<textures::Image> layers;

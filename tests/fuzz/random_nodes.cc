@@ -93,6 +93,9 @@ std::optional<Argument> RandomNodes::Literal(const Port& port) {
   std::vector<double> numbers;
   for (size_t i = 0; i < count; ++i) numbers.push_back(Number(port, scalar, i));
   if (port.ordered) std::ranges::sort(numbers);
+  if (port.multiple_of) {
+    for (double& number : numbers) number *= kMapMultiple;
+  }
   for (double number : numbers) literal.numbers.push_back(number);
   // Whole numbers stand for floats, too; then all are written without a point.
   const bool all_whole = std::ranges::all_of(

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// Promises of what a pixel costs, counted in SPIR-V after spirv-opt -O: texture look-ups and
+// instructions that compute. The graphs are those of the table of "Pattern Based Procedural
+// Textures", section 6.
+#include <gtest/gtest.h>
+
+#include "compiler/base/files.h"
+#include "compiler/compile.h"
+#include "tests/bench/spirv_weight.h"
+
+namespace texgraph::bench {
+namespace {
+
+struct Promise {
+  const char* graph;
+  int samples, computing;
+};
+
+class WeightTest : public testing::TestWithParam<Promise> {};
+
+TEST_P(WeightTest, IsKept) {
+  const std::string name = GetParam().graph;
+  const std::string path =
+      std::string(TEXGRAPH_SOURCE_DIR) + "/graphs/" + name + "/" + name + ".jsonc";
+  Sources sources;
+  Diagnostics diagnostics;
+  auto text = ReadFile(path, 1 << 20, {}, diagnostics);
+  ASSERT_TRUE(text);
+  const graph::DocumentFormat format = graph::FormatOf(path, *text);
+  CompileOptions options;
+  options.target = Target::kSpirv;
+  auto compiled =
+      Compile(sources.Add(path, std::move(*text)), format, options, sources, diagnostics);
+  ASSERT_TRUE(compiled) << FormatDiagnostics(diagnostics, sources, false);
+  auto weight = WeightOf(compiled->spirv);
+  ASSERT_TRUE(weight);
+  EXPECT_LE(weight->samples, GetParam().samples);
+  EXPECT_LE(weight->computing, GetParam().computing);
+  RecordProperty("samples", weight->samples);
+  RecordProperty("computing", weight->computing);
+}
+
+INSTANTIATE_TEST_SUITE_P(PaperTable, WeightTest,
+                         testing::Values(Promise{"aperiodic_tiling", 1, 32},
+                                         Promise{"areas_tiling", 3, 40},
+                                         Promise{"dithered_areas_tiling", 3, 70},
+                                         Promise{"transition_tiling", 7, 256}),
+                         [](const auto& promise) { return std::string(promise.param.graph); });
+
+// What counts and what does not, by a shader whose operations are known.
+TEST(Weight, CountsWhatComputes) {
+  Sources sources;
+  Diagnostics diagnostics;
+  const std::string graph = R"({"texgraph": 1,
+    "parameters": {"a": {"type": "vec4", "value": [1, 1, 1, 1], "binding": "uniform"},
+                   "b": {"type": "vec4", "value": [1, 1, 1, 1], "binding": "uniform"}},
+    "nodes": {"sum": {"block": "add", "in": {"a": "a", "b": "b"}},
+              "root": {"block": "square_root", "in": {"value": "sum"}}},
+    "outputs": {"color": "root"}})";
+  CompileOptions options;
+  options.target = Target::kSpirv;
+  auto compiled = Compile(sources.Add("g.json", graph), graph::DocumentFormat::kJson, options,
+                          sources, diagnostics);
+  ASSERT_TRUE(compiled) << FormatDiagnostics(diagnostics, sources, false);
+  auto weight = WeightOf(compiled->spirv);
+  ASSERT_TRUE(weight);
+  // A sum, a maximum with 0 and a root.
+  EXPECT_GE(weight->computing, 2);
+  EXPECT_LE(weight->computing, 3);
+  EXPECT_EQ(weight->samples, 0);
+  EXPECT_GT(weight->instructions, weight->computing);
+}
+
+}  // namespace
+}  // namespace texgraph::bench

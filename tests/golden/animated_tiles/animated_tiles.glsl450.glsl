@@ -1,0 +1,75 @@
+// animated_tiles: a function for a shader of #version 450 or later, compiled by texgraphc 0.1.0.
+// Call it in the main part of a fragment shader, outside branches and loops: textures are
+// sampled with derivatives, which neighbouring pixels have to compute together.
+
+// Parameters
+uniform float time;
+uniform float rate;  // default 0.2
+uniform float old_rate;  // default 1.0
+uniform float change_time;  // default 32.0
+
+// Textures
+uniform sampler2DArray drops;
+
+// cell_hash (indirection/cell_hash.glsl)
+uint animated_tiles_cell_hash(ivec2 cell) {
+  uvec2 c = uvec2(cell);
+  uvec2 v = c.x * uvec2(1664525u, 389569705u) + c.y * uvec2(389569705u, 2942464162u)
+      + uvec2(129708002u, 817759070u);
+  v ^= v >> 16u;
+  v *= uvec2(1664525u, 389569706u);
+  return v.x + v.y;
+}
+
+// hash (random/hash.glsl)
+uint animated_tiles_hash(uint value) {
+  uint state = value * 747796405u + 2891336453u;
+  uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+  return (word >> 22u) ^ word;
+}
+
+// four_numbers, of virtual_random_map (indirection/virtual_random_map.glsl)
+vec4 animated_tiles_four_numbers(uint seed) {
+  uint first = animated_tiles_hash(seed);
+  uint second = animated_tiles_hash(first);
+  float value = float(second >> 16u);
+  vec4 vector = vec4(float(first & 65535u), float(first >> 16u), float(second & 65535u), value);
+  return vector * 1.5258789e-5;
+}
+
+// animation_map (indirection/animation_map.glsl)
+int animated_tiles_animation_map(float time, float phase, float rest, float rate, float old_rate,
+    float change_time) {
+  float still = max(rest * rate, 0.0);
+  float old_still = max(rest * old_rate, 0.0);
+  float at_change = max(mod(change_time + phase, 8.0 + old_still) - old_still, 0.0);
+  float old_end = change_time + (at_change > 0.0 ? 8.0 - at_change : 0.0);
+  float at_end = max(mod(old_end + phase, 8.0 + still) - still, 0.0);
+  float start = old_end + (at_end > 0.0 ? 8.0 - at_end : 0.0);
+  float choice = time < old_end ? old_still : still;
+  float place = max(mod(time + phase, 8.0 + choice) - choice, 0.0);
+  float shown = old_end <= time && time < start ? 0.0 : place;
+  return int(min(shown, 7.0));
+}
+
+vec4 animated_tiles(vec2 uv) {
+  vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
+  // grid: virtual_tile_map (indirection/virtual_tile_map.glsl)
+  vec2 product = uv * 12.0;
+  vec2 whole = floor(product);
+  // luck: virtual_random_map (indirection/virtual_random_map.glsl)
+  vec4 luck = animated_tiles_four_numbers(animated_tiles_cell_hash(ivec2(whole)));
+  // pictures: multiply (math/multiply.glsl)
+  float pictures = time * 16.0;
+  // phase: multiply (math/multiply.glsl)
+  float phase = luck.x * 200.0;
+  // rest: remap (math/remap.glsl)
+  float rest = mix(8.0, 48.0, luck.y);
+  // picture: animation_map (indirection/animation_map.glsl)
+  int picture = animated_tiles_animation_map(pictures, phase, rest, rate, old_rate, change_time);
+  // pond: reference_texture (indirection/reference_texture.glsl)
+  vec3 vector = vec3(product - whole, float(picture));
+  vec4 texel = textureGrad(drops, vector, uv_dx * 12.0, uv_dy * 12.0);
+  vec4 pond = picture < 0 ? vec4(0.0) : texel;
+  return pond;
+}

@@ -1,0 +1,59 @@
+// areas_tiling: a function for a shader of #version 330 or later, compiled by texgraphc 0.1.0.
+// Call it in the main part of a fragment shader, outside branches and loops: textures are
+// sampled with derivatives, which neighbouring pixels have to compute together.
+
+// Textures
+uniform sampler2DArray grounds;
+uniform sampler2D areas;
+uniform sampler2D far;
+
+// Constants
+const int areas_tiling_kinds[16] = int[16](0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+
+// cell_hash (indirection/cell_hash.glsl)
+uint areas_tiling_cell_hash(ivec2 cell) {
+  uvec2 c = uvec2(cell);
+  uvec2 v = c.x * uvec2(1664525u, 389569705u) + c.y * uvec2(389569705u, 2942464162u)
+      + uvec2(129708002u, 817759070u);
+  v ^= v >> 16u;
+  v *= uvec2(1664525u, 389569706u);
+  return v.x + v.y;
+}
+
+// drawn, of materials_map (indirection/materials_map.glsl)
+int areas_tiling_drawn(int material, uint seed) {
+  int place = int(seed >> 30u);
+  int row = clamp(material, 0, 3);
+  int pattern = areas_tiling_kinds[row * 4 + place];
+  return material < 0 ? -1 : pattern;
+}
+
+// tile_near (tiles/tile_near.glsl)
+float areas_tiling_tile_near(vec2 tile_local_dx, vec2 tile_local_dy) {
+  vec2 part = 4.0 + tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy;
+  return 16.0 / (part.x * part.y);
+}
+
+vec4 areas_tiling(vec2 uv) {
+  vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
+  // grid: virtual_tile_map (indirection/virtual_tile_map.glsl)
+  vec2 product = uv * 64.0;
+  vec2 whole = floor(product);
+  ivec2 numbers = ivec2(whole);
+  vec2 grid_local_dx = uv_dx * 64.0;
+  vec2 grid_local_dy = uv_dy * 64.0;
+  // kind: areas_map (indirection/areas_map.glsl)
+  int kind = int(texelFetch(areas, (numbers & 63) >> 3, 0).x);
+  // pattern: materials_map (indirection/materials_map.glsl)
+  int pattern = areas_tiling_drawn(kind, areas_tiling_cell_hash(numbers));
+  // close: reference_texture (indirection/reference_texture.glsl)
+  vec3 vector = vec3(product - whole, float(pattern));
+  vec4 close = pattern < 0 ? vec4(0.0) : textureGrad(grounds, vector, grid_local_dx, grid_local_dy);
+  // mean: image (images/image.glsl)
+  vec4 mean = texture(far, uv);
+  // near: tile_near (tiles/tile_near.glsl)
+  float near = areas_tiling_tile_near(grid_local_dx, grid_local_dy);
+  // land: lerp (math/lerp.glsl)
+  vec4 land = mix(mean, close, near);
+  return land;
+}

@@ -1,0 +1,140 @@
+// led_board: a function for a shader of #version 330 or later, compiled by texgraphc 0.1.0.
+// Call it in the main part of a fragment shader, outside branches and loops: textures are
+// sampled with derivatives, which neighbouring pixels have to compute together.
+
+// Parameters
+uniform float time;
+uniform float quiet;  // default 1.0
+
+// Textures
+uniform sampler2DArray lamps;
+uniform sampler2D message;
+
+// Types
+struct led_board_Tile {
+  ivec2 cell;
+  vec2 local;
+  uint seed;
+};
+
+// Constants
+const int led_board_patterns[8] = int[8](3, 4, 4, 4, 4, 4, 4, 3);
+
+// cell_hash (indirection/cell_hash.glsl)
+uint led_board_cell_hash(ivec2 cell) {
+  uvec2 c = uvec2(cell);
+  uvec2 v = c.x * uvec2(1664525u, 389569705u) + c.y * uvec2(389569705u, 2942464162u)
+      + uvec2(129708002u, 817759070u);
+  v ^= v >> 16u;
+  v *= uvec2(1664525u, 389569706u);
+  return v.x + v.y;
+}
+
+// virtual_tile_map (indirection/virtual_tile_map.glsl)
+void led_board_virtual_tile_map(vec2 uv, vec2 uv_dx, vec2 uv_dy, out led_board_Tile tile,
+    out vec2 tile_local_dx, out vec2 tile_local_dy) {
+  vec2 p = uv * vec2(48.0, 9.0);
+  vec2 corner = floor(p);
+  ivec2 cell = ivec2(corner);
+  tile = led_board_Tile(cell, p - corner, led_board_cell_hash(cell));
+  tile_local_dx = uv_dx * vec2(48.0, 9.0);
+  tile_local_dy = uv_dy * vec2(48.0, 9.0);
+}
+
+// hash (random/hash.glsl)
+uint led_board_hash(uint value) {
+  uint state = value * 747796405u + 2891336453u;
+  uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+  return (word >> 22u) ^ word;
+}
+
+// four_numbers, of virtual_random_map (indirection/virtual_random_map.glsl)
+vec4 led_board_four_numbers(uint seed) {
+  uint first = led_board_hash(seed);
+  uint second = led_board_hash(first);
+  float value = float(second >> 16u);
+  vec4 vector = vec4(float(first & 65535u), float(first >> 16u), float(second & 65535u), value);
+  return vector * 1.5258789e-5;
+}
+
+// virtual_tile_map (indirection/virtual_tile_map.glsl)
+led_board_Tile led_board_virtual_tile_map2(vec2 uv) {
+  vec2 p = uv * vec2(64.0, 9.0);
+  vec2 corner = floor(p);
+  ivec2 cell = ivec2(corner);
+  led_board_Tile tile = led_board_Tile(cell, p - corner, led_board_cell_hash(cell));
+  return tile;
+}
+
+// wrap_cell (tiles/wrap_cell.glsl)
+ivec2 led_board_wrap_cell(ivec2 cell) {
+  ivec2 flip = cell >> 31;
+  return (((cell ^ flip) % ivec2(64, 9)) ^ flip) + (flip & ivec2(64, 9));
+}
+
+// animation_sequence (indirection/animation_sequence.glsl)
+int led_board_animation_sequence_glow_step(float time, float phase) {
+  float run = mod(time + phase, 8.0);
+  return int(clamp(run, 0.0, 7.0));
+}
+
+// animation_sequence (indirection/animation_sequence.glsl)
+int led_board_animation_sequence_flash(float time, float phase, float rest) {
+  float still = max(rest, 0.0);
+  float run = mod(time + phase, 8.0 + still) - still;
+  return int(clamp(run, 0.0, 7.0));
+}
+
+vec4 led_board(vec2 uv) {
+  vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
+  // board: virtual_tile_map (indirection/virtual_tile_map.glsl)
+  led_board_Tile board;
+  vec2 board_local_dx, board_local_dy;
+  led_board_virtual_tile_map(uv, uv_dx, uv_dy, board, board_local_dx, board_local_dy);
+  // luck: virtual_random_map (indirection/virtual_random_map.glsl)
+  vec4 luck = led_board_four_numbers(board.seed);
+  // pictures: multiply (math/multiply.glsl)
+  float pictures = time * 16.0;
+  // phase: multiply (math/multiply.glsl)
+  float phase = luck.x * 600.0;
+  // ticks: multiply (math/multiply.glsl)
+  float ticks = time * 8.0;
+  // steps: round_down (math/round_down.glsl)
+  float steps = floor(ticks);
+  // shift: divide (math/divide.glsl)
+  float shift = steps * 0.015625;
+  // offset: combine2 (channels/combine2.glsl)
+  vec2 offset = vec2(shift, 0.0);
+  // stretched: multiply (math/multiply.glsl)
+  vec2 stretched = uv * vec2(0.75, 1.0);
+  // scrolled: add (math/add.glsl)
+  vec2 scrolled = stretched + offset;
+  // text: virtual_tile_map (indirection/virtual_tile_map.glsl)
+  led_board_Tile text = led_board_virtual_tile_map2(scrolled);
+  // is_text: explicit_indirection_map (indirection/explicit_indirection_map.glsl)
+  int is_text = int(texelFetch(message, led_board_wrap_cell(text.cell), 0).x);
+  // glow_step: animation_sequence (indirection/animation_sequence.glsl)
+  int glow_step = led_board_animation_sequence_glow_step(pictures, phase);
+  // glow_number: to_float (channels/to_float.glsl)
+  float glow_number = float(glow_step);
+  // glow_place: divide (math/divide.glsl)
+  float glow_place = glow_number * 0.125;
+  // glow: probability_map (indirection/probability_map.glsl)
+  int glow = led_board_patterns[clamp(int(clamp(glow_place, 0.0, 1.0) * 8.0), 0, 7)];
+  // rest: remap (math/remap.glsl)
+  float rest = mix(150.0, 600.0, luck.y);
+  // long_rest: multiply (math/multiply.glsl)
+  float long_rest = rest * quiet;
+  // flash: animation_sequence (indirection/animation_sequence.glsl)
+  int flash = led_board_animation_sequence_flash(pictures, phase, long_rest);
+  // bright: reference_texture (indirection/reference_texture.glsl)
+  vec4 bright = textureGrad(lamps, vec3(board.local, float(glow)), board_local_dx, board_local_dy);
+  // dark: reference_texture (indirection/reference_texture.glsl)
+  vec4 texel = textureGrad(lamps, vec3(board.local, float(flash)), board_local_dx, board_local_dy);
+  vec4 dark = flash < 0 ? vec4(0.0) : texel;
+  // share: to_float (channels/to_float.glsl)
+  float share = float(is_text);
+  // panel: lerp (math/lerp.glsl)
+  vec4 panel = mix(dark, bright, share);
+  return panel;
+}

@@ -1,0 +1,116 @@
+// moving_sprites: a fragment shader, compiled by texgraphc 0.1.0.
+#version 330
+
+// Inputs
+in vec2 uv;
+
+// Textures
+uniform sampler2DArray insects;
+uniform sampler2DArray crowd;
+uniform sampler2DArray meadows;
+
+// Outputs
+layout(location = 0) out vec4 out_color;
+
+// Types
+struct Tile {
+  ivec2 cell;
+  vec2 local;
+  uint seed;
+};
+
+// hash (random/hash.glsl)
+uint hash(uint value) {
+  uint state = value * 747796405u + 2891336453u;
+  uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+  return (word >> 22u) ^ word;
+}
+
+// cell_hash (indirection/cell_hash.glsl)
+uint cell_hash(ivec2 cell, int seed) {
+  uint first = hash(uint(seed));
+  uvec2 c = uvec2(cell);
+  uvec2 v = c.x * uvec2(1664525u, 389569705u) + c.y * uvec2(389569705u, 2942464162u)
+      + uvec2(first, hash(first));
+  v ^= v >> 16u;
+  v *= uvec2(1664525u, 389569706u);
+  return v.x + v.y;
+}
+
+// virtual_tile_map (indirection/virtual_tile_map.glsl)
+void virtual_tile_map(vec2 uv, ivec2 cells, int seed, vec2 uv_dx, vec2 uv_dy, out Tile tile,
+    out vec2 tile_local_dx, out vec2 tile_local_dy) {
+  ivec2 count = max(cells, 1);
+  vec2 p_slope = vec2(count);
+  vec2 p = uv * p_slope;
+  vec2 corner = floor(p);
+  ivec2 cell = ivec2(corner);
+  tile = Tile(cell, p - corner, cell_hash(cell, seed));
+  tile_local_dx = uv_dx * p_slope;
+  tile_local_dy = uv_dy * p_slope;
+}
+
+// explicit_positioning (indirection/explicit_positioning.glsl)
+void explicit_positioning(Tile tile, int layer, vec2 tile_local_dx, vec2 tile_local_dy,
+    out int pattern, out Tile inner, out float coverage) {
+  ivec2 cell = tile.cell & 7;
+  vec4 sprite = texelFetch(crowd, ivec3(cell, clamp(layer, 0, 3)), 0);
+  vec2 q = tile.local - sprite.xy;
+  int pattern2 = layer < 0 || layer >= 4 ? -1 : int(sprite.z);
+  ivec2 sum = cell + ivec2(floor(sprite.xy + 0.5));
+  vec2 width = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
+  vec2 sum2 = (0.5 - abs(q - 0.5)) / clamp(width, 1e-5, 1.0) + 0.5;
+  vec2 share = clamp(sum2, 0.0, 1.0);
+  vec2 part = max(1.0 - abs(sprite.xy), 0.0);
+  float away = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
+  float coverage2 = 0.0;
+  if (!(pattern2 < 0)) {
+    coverage2 = mix(share.x * share.y, part.x * part.y, away);
+  }
+  pattern = pattern2;
+  inner = Tile(sum, q, cell_hash(sum, layer));
+  coverage = coverage2;
+}
+
+// texture_sprites (indirection/texture_sprites.glsl)
+vec4 texture_sprites(sampler2DArray patterns, Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
+  vec4 sum = vec4(0.0);
+  for (int layer = 3; layer > -1; --layer) {
+    if (sum.w < 0.999) {
+      int pattern;
+      Tile inner;
+      float coverage;
+      explicit_positioning(tile, layer, tile_local_dx, tile_local_dy, pattern, inner, coverage);
+      vec4 texel = textureGrad(patterns, vec3(inner.local, float(pattern)), tile_local_dx,
+          tile_local_dy);
+      vec4 color = pattern < 0 ? vec4(0.0) : texel;
+      float below = color.w * coverage * (1.0 - sum.w);
+      sum += vec4(color.xyz * below, below);
+    }
+  }
+  return vec4(sum.xyz / max(sum.w, 1e-20), sum.w);
+}
+
+void main() {
+  vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
+  // grass_cells: virtual_tile_map (indirection/virtual_tile_map.glsl)
+  Tile grass_cells;
+  vec2 grass_cells_local_dx, grass_cells_local_dy;
+  virtual_tile_map(uv, ivec2(4), 3, uv_dx, uv_dy, grass_cells, grass_cells_local_dx,
+      grass_cells_local_dy);
+  // grass_pattern: virtual_indirection_map (indirection/virtual_indirection_map.glsl)
+  int grass_pattern = int(grass_cells.seed >> 28u);
+  // grass: reference_texture (indirection/reference_texture.glsl)
+  vec3 vector = vec3(grass_cells.local, float(grass_pattern));
+  vec4 grass = textureGrad(meadows, vector, grass_cells_local_dx, grass_cells_local_dy);
+  // grid: virtual_tile_map (indirection/virtual_tile_map.glsl)
+  Tile grid;
+  vec2 grid_local_dx, grid_local_dy;
+  virtual_tile_map(uv, ivec2(8), 0, uv_dx, uv_dy, grid, grid_local_dx, grid_local_dy);
+  // seen: texture_sprites (indirection/texture_sprites.glsl)
+  vec4 seen = texture_sprites(insects, grid, grid_local_dx, grid_local_dy);
+  // garden: over (layers/over.glsl)
+  float blend = mix(grass.w, 1.0, seen.w);
+  vec4 garden = vec4(mix(grass.xyz, seen.xyz, seen.w / max(blend, 1e-20)), blend);
+  out_color = garden;
+}

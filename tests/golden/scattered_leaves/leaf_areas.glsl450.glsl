@@ -1,0 +1,191 @@
+// leaf_areas: a function for a shader of #version 450 or later, compiled by texgraphc 0.1.0.
+// Call it in the main part of a fragment shader, outside branches and loops: textures are
+// sampled with derivatives, which neighbouring pixels have to compute together.
+
+// Textures
+uniform sampler2DArray leaves;
+uniform sampler2D areas;
+uniform sampler2D forest_floor;
+
+// Types
+struct leaf_areas_Tile {
+  ivec2 cell;
+  vec2 local;
+  vec2 size;
+  uint seed;
+};
+
+// Constants
+const int leaf_areas_kinds[24] = int[24](0, 0, 0, 3, 0, 0, 1, 0, 3, 3, 3, 3, 2, 3, 3, 3, -1, -1, -1,
+    -1, -1, 1, -1, -1);
+
+// cell_hash (indirection/cell_hash.glsl)
+uint leaf_areas_cell_hash(ivec2 cell) {
+  uvec2 c = uvec2(cell);
+  uvec2 v = c.x * uvec2(1664525u, 389569705u) + c.y * uvec2(389569705u, 2942464162u)
+      + uvec2(129708002u, 817759070u);
+  v ^= v >> 16u;
+  v *= uvec2(1664525u, 389569706u);
+  return v.x + v.y;
+}
+
+// virtual_tile_map (indirection/virtual_tile_map.glsl)
+void leaf_areas_virtual_tile_map_grid(vec2 uv, vec2 uv_dx, vec2 uv_dy, out leaf_areas_Tile tile,
+    out vec2 tile_local_dx, out vec2 tile_local_dy) {
+  vec2 p = uv * 14.0;
+  vec2 corner = floor(p);
+  ivec2 cell = ivec2(corner);
+  tile = leaf_areas_Tile(cell, p - corner, vec2(0.071428575), leaf_areas_cell_hash(cell));
+  tile_local_dx = uv_dx * 14.0;
+  tile_local_dy = uv_dy * 14.0;
+}
+
+// virtual_tile_map (indirection/virtual_tile_map.glsl)
+void leaf_areas_virtual_tile_map_grid(vec2 uv, ivec2 neighbour, vec2 uv_dx, vec2 uv_dy,
+    out leaf_areas_Tile tile, out vec2 tile_local_dx, out vec2 tile_local_dy) {
+  vec2 p = uv * 14.0;
+  vec2 corner = floor(p) + vec2(neighbour);
+  ivec2 cell = ivec2(corner);
+  tile = leaf_areas_Tile(cell, p - corner, vec2(0.071428575), leaf_areas_cell_hash(cell));
+  tile_local_dx = uv_dx * 14.0;
+  tile_local_dy = uv_dy * 14.0;
+}
+
+// hash (random/hash.glsl)
+uint leaf_areas_hash(uint value) {
+  uint state = value * 747796405u + 2891336453u;
+  uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+  return (word >> 22u) ^ word;
+}
+
+// four_numbers, of virtual_random_map (indirection/virtual_random_map.glsl)
+vec4 leaf_areas_four_numbers(uint seed) {
+  uint first = leaf_areas_hash(seed);
+  uint second = leaf_areas_hash(first);
+  float value = float(second >> 16u);
+  vec4 vector = vec4(float(first & 65535u), float(first >> 16u), float(second & 65535u), value);
+  return vector * 1.5258789e-5;
+}
+
+// share_of, of tile_transform (indirection/tile_transform.glsl)
+float leaf_areas_share_of(vec2 q, float tile_in_q, vec2 q_dx, vec2 q_dy) {
+  vec2 density = 1.0 / clamp(sqrt(q_dx * q_dx + q_dy * q_dy), 1e-5, tile_in_q);
+  vec2 share = min((0.5 - abs(q - 0.5)) * density + 0.5, density);
+  vec2 covered = clamp(share, 0.0, 1.0);
+  return covered.x * covered.y;
+}
+
+// tile_transform (indirection/tile_transform.glsl)
+void leaf_areas_tile_transform(leaf_areas_Tile tile, vec2 position, float scale, float rotation,
+    vec2 tile_local_dx, vec2 tile_local_dy, out leaf_areas_Tile inner, out float coverage,
+    out vec2 inner_local_dx, out vec2 inner_local_dy) {
+  float angle = rotation * 0.017453292;
+  float cosine = cos(angle);
+  float sine = sin(angle);
+  vec2 turn = vec2(cosine, sine);
+  float size = max(scale, 1e-5);
+  vec2 p = (tile.local - position) * tile.size;
+  vec2 p_dx = tile_local_dx * tile.size;
+  vec2 p_dy = tile_local_dy * tile.size;
+  vec2 product = size * tile.size;
+  bvec2 test = notEqual(product, vec2(0.0));
+  vec2 ratio = vec2(dot(turn, p_dx), p_dx.y * cosine - p_dx.x * sine) / product;
+  vec2 q_dx = mix(vec2(0.0), ratio, test);
+  vec2 ratio2 = vec2(dot(turn, p_dy), p_dy.y * cosine - p_dy.x * sine) / product;
+  vec2 q_dy = mix(vec2(0.0), ratio2, test);
+  vec2 q = vec2(dot(turn, p), cosine * p.y - sine * p.x) / product + 0.5;
+  float coverage2 = leaf_areas_share_of(q, 1.0 / size, q_dx, q_dy);
+  inner = leaf_areas_Tile(tile.cell, q, product, tile.seed);
+  coverage = scale > 0.0 ? coverage2 : 0.0;
+  inner_local_dx = q_dx;
+  inner_local_dy = q_dy;
+}
+
+// wrap_cell (tiles/wrap_cell.glsl)
+ivec2 leaf_areas_wrap_cell(ivec2 cell, ivec2 count) {
+  ivec2 flip = cell >> 31;
+  return (((cell ^ flip) % count) ^ flip) + (flip & count);
+}
+
+// dithered_areas_map (indirection/dithered_areas_map.glsl)
+int leaf_areas_dithered_areas_map(leaf_areas_Tile tile) {
+  ivec2 middle = 2 * leaf_areas_wrap_cell(tile.cell, ivec2(14)) + 3;
+  ivec2 last = middle / 4;
+  ivec2 share = middle % 4;
+  uint bits = leaf_areas_hash(tile.seed + 1u);
+  ivec2 luck = ivec2(uvec2(bits & 65535u, bits >> 16u) >> 14u);
+  ivec2 picked = last - ivec2(lessThanEqual(share, luck));
+  return int(texelFetch(areas, leaf_areas_wrap_cell(picked, ivec2(7)), 0).x);
+}
+
+// drawn, of materials_map (indirection/materials_map.glsl)
+int leaf_areas_drawn(int material, uint seed) {
+  int place = int(seed >> 29u);
+  int row = clamp(material, 0, 2);
+  int pattern = leaf_areas_kinds[row * 8 + place];
+  return material < 0 ? -1 : pattern;
+}
+
+// seen_at (a function of neighbour)
+vec4 leaf_areas_seen_at(ivec2 neighbour, vec2 uv, vec2 uv_dx, vec2 uv_dy) {
+  // grid: virtual_tile_map (indirection/virtual_tile_map.glsl)
+  leaf_areas_Tile grid;
+  vec2 grid_local_dx, grid_local_dy;
+  leaf_areas_virtual_tile_map_grid(uv, neighbour, uv_dx, uv_dy, grid, grid_local_dx, grid_local_dy);
+  // luck: virtual_random_map (indirection/virtual_random_map.glsl)
+  vec4 luck = leaf_areas_four_numbers(grid.seed + 1u);
+  // size: remap (math/remap.glsl)
+  float size = mix(0.7, 1.0, luck.z);
+  // angle: multiply (math/multiply.glsl)
+  float angle = luck.w * 360.0;
+  // leaf: tile_transform (indirection/tile_transform.glsl)
+  leaf_areas_Tile leaf_inner;
+  float leaf_coverage;
+  vec2 leaf_inner_local_dx, leaf_inner_local_dy;
+  leaf_areas_tile_transform(grid, luck.xy, size, angle, grid_local_dx, grid_local_dy, leaf_inner,
+      leaf_coverage, leaf_inner_local_dx, leaf_inner_local_dy);
+  // area: dithered_areas_map (indirection/dithered_areas_map.glsl)
+  int area = leaf_areas_dithered_areas_map(grid);
+  // kind: materials_map (indirection/materials_map.glsl)
+  int kind = leaf_areas_drawn(area, grid.seed);
+  // painted: reference_texture (indirection/reference_texture.glsl)
+  vec3 vector = vec3(leaf_inner.local, float(kind));
+  vec4 texel = textureGrad(leaves, vector, leaf_inner_local_dx, leaf_inner_local_dy);
+  vec4 painted = kind < 0 ? vec4(0.0) : texel;
+  // seen: apply_mask (layers/apply_mask.glsl)
+  vec4 seen = vec4(painted.xyz, painted.w * leaf_coverage);
+  return seen;
+}
+
+// overlap (indirection/overlap.glsl)
+vec4 leaf_areas_overlap(vec2 uv, leaf_areas_Tile tile, vec2 uv_dx, vec2 uv_dy, vec2 tile_local_dx,
+    vec2 tile_local_dy) {
+  ivec2 first = ivec2(floor(tile.local - 0.5));
+  vec2 tiles = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
+  float on = clamp(2.0 - 2.0 * max(tiles.x, tiles.y), 0.0, 1.0);
+  vec4 sum = vec4(0.0);
+  for (int y = 1; y > -1; --y) {
+    for (int x = 1; x > -1; --x) {
+      vec4 other = leaf_areas_seen_at(first + ivec2(x, y), uv, uv_dx, uv_dy);
+      float below = other.w * (1.0 - sum.w * on);
+      sum += vec4(other.xyz * below, below);
+    }
+  }
+  return vec4(sum.xyz / max(sum.w, 1e-20), min(sum.w, 1.0));
+}
+
+vec4 leaf_areas(vec2 uv) {
+  vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
+  // grid: virtual_tile_map (indirection/virtual_tile_map.glsl)
+  leaf_areas_Tile grid;
+  vec2 grid_local_dx, grid_local_dy;
+  leaf_areas_virtual_tile_map_grid(uv, uv_dx, uv_dy, grid, grid_local_dx, grid_local_dy);
+  // scattered: overlap (indirection/overlap.glsl)
+  vec4 scattered = leaf_areas_overlap(uv, grid, uv_dx, uv_dy, grid_local_dx, grid_local_dy);
+  // soil: tiled_image (images/tiled_image.glsl)
+  vec4 soil = texture(forest_floor, uv * 4.0);
+  // ground: over (layers/over.glsl)
+  float blend = mix(soil.w, 1.0, scattered.w);
+  vec4 ground = vec4(mix(soil.xyz, scattered.xyz, scattered.w / max(blend, 1e-20)), blend);
+  return ground;
+}

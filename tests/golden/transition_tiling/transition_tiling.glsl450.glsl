@@ -1,0 +1,127 @@
+// transition_tiling: a function for a shader of #version 450 or later, compiled by texgraphc 0.1.0.
+// Call it in the main part of a fragment shader, outside branches and loops: textures are
+// sampled with derivatives, which neighbouring pixels have to compute together.
+
+// Textures
+uniform sampler2DArray grounds;
+uniform sampler2D areas;
+uniform sampler2D far;
+
+// Types
+struct transition_tiling_Tile {
+  ivec2 cell;
+  vec2 local;
+  uint seed;
+};
+
+// Constants
+const int transition_tiling_families[2] = int[2](0, 1);
+const int transition_tiling_kinds[16] = int[16](0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14,
+    15);
+
+// cell_hash (indirection/cell_hash.glsl)
+uint transition_tiling_cell_hash(ivec2 cell) {
+  uvec2 c = uvec2(cell);
+  uvec2 v = c.x * uvec2(1664525u, 389569705u) + c.y * uvec2(389569705u, 2942464162u)
+      + uvec2(129708002u, 817759070u);
+  v ^= v >> 16u;
+  v *= uvec2(1664525u, 389569706u);
+  return v.x + v.y;
+}
+
+// virtual_tile_map (indirection/virtual_tile_map.glsl)
+void transition_tiling_virtual_tile_map_grid(vec2 uv, vec2 uv_dx, vec2 uv_dy,
+    out transition_tiling_Tile tile, out vec2 tile_local_dx, out vec2 tile_local_dy) {
+  vec2 p = uv * 64.0;
+  vec2 corner = floor(p);
+  ivec2 cell = ivec2(corner);
+  tile = transition_tiling_Tile(cell, p - corner, transition_tiling_cell_hash(cell));
+  tile_local_dx = uv_dx * 64.0;
+  tile_local_dy = uv_dy * 64.0;
+}
+
+// hash (random/hash.glsl)
+uint transition_tiling_hash(uint value) {
+  uint state = value * 747796405u + 2891336453u;
+  uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+  return (word >> 22u) ^ word;
+}
+
+// dithered_areas_map (indirection/dithered_areas_map.glsl)
+int transition_tiling_dithered_areas_map(transition_tiling_Tile tile) {
+  ivec2 middle = 2 * (tile.cell & 63) + 9;
+  ivec2 last = middle >> 4;
+  ivec2 share = middle & 15;
+  uint bits = transition_tiling_hash(tile.seed + 1u);
+  ivec2 luck = ivec2(uvec2(bits & 65535u, bits >> 16u) >> 12u);
+  ivec2 picked = last - ivec2(lessThanEqual(share, luck));
+  return int(texelFetch(areas, picked & 7, 0).x);
+}
+
+// virtual_tile_map (indirection/virtual_tile_map.glsl)
+transition_tiling_Tile transition_tiling_virtual_tile_map_grid(vec2 uv, ivec2 neighbour) {
+  vec2 p = uv * 64.0;
+  vec2 corner = floor(p) + vec2(neighbour);
+  ivec2 cell = ivec2(corner);
+  transition_tiling_Tile tile = transition_tiling_Tile(cell, p - corner,
+      transition_tiling_cell_hash(cell));
+  return tile;
+}
+
+// transition_tiles (indirection/transition_tiles.glsl)
+int transition_tiling_transition_tiles(vec2 uv, int material) {
+  int here = transition_tiling_families[clamp(material, 0, 1)];
+  int clamped = clamp(transition_tiling_dithered_areas_map(transition_tiling_virtual_tile_map_grid(uv,
+      ivec2(1, 0))), 0, 1);
+  int right = transition_tiling_families[clamped];
+  int clamped2 = clamp(transition_tiling_dithered_areas_map(transition_tiling_virtual_tile_map_grid(uv,
+      ivec2(0, 1))), 0, 1);
+  int up = transition_tiling_families[clamped2];
+  int clamped3 = clamp(transition_tiling_dithered_areas_map(transition_tiling_virtual_tile_map_grid(uv,
+      ivec2(1))), 0, 1);
+  int both = transition_tiling_families[clamped3];
+  int number = here + 2 * (right + 2 * (up + 2 * both));
+  bool plain = here == right && here == up && here == both;
+  int transition = plain ? -1 : number;
+  return transition;
+}
+
+// drawn, of materials_map (indirection/materials_map.glsl)
+int transition_tiling_drawn(int material, uint seed) {
+  int place = int(seed >> 29u);
+  int row = clamp(material, 0, 1);
+  int pattern = transition_tiling_kinds[row * 8 + place];
+  return material < 0 ? -1 : pattern;
+}
+
+// tile_near (tiles/tile_near.glsl)
+float transition_tiling_tile_near(vec2 tile_local_dx, vec2 tile_local_dy) {
+  vec2 part = 4.0 + tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy;
+  return 16.0 / (part.x * part.y);
+}
+
+vec4 transition_tiling(vec2 uv) {
+  vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
+  // grid: virtual_tile_map (indirection/virtual_tile_map.glsl)
+  transition_tiling_Tile grid;
+  vec2 grid_local_dx, grid_local_dy;
+  transition_tiling_virtual_tile_map_grid(uv, uv_dx, uv_dy, grid, grid_local_dx, grid_local_dy);
+  // kind: dithered_areas_map (indirection/dithered_areas_map.glsl)
+  int kind = transition_tiling_dithered_areas_map(grid);
+  // shore: transition_tiles (indirection/transition_tiles.glsl)
+  int shore_transition = transition_tiling_transition_tiles(uv, kind);
+  // plain: materials_map (indirection/materials_map.glsl)
+  int plain = transition_tiling_drawn(kind, grid.seed);
+  // pattern: transition_pattern (indirection/transition_pattern.glsl)
+  int pattern = shore_transition < 0 ? plain : 15 + shore_transition;
+  // close: reference_texture (indirection/reference_texture.glsl)
+  vec4 texel = textureGrad(grounds, vec3(grid.local, float(pattern)), grid_local_dx, grid_local_dy);
+  vec4 close = pattern < 0 ? vec4(0.0) : texel;
+  // mean: image (images/image.glsl)
+  vec4 mean = texture(far, uv);
+  // near: tile_near (tiles/tile_near.glsl)
+  float near = transition_tiling_tile_near(grid_local_dx, grid_local_dy);
+  // land: lerp (math/lerp.glsl)
+  vec4 land = mix(mean, close, near);
+  return land;
+}

@@ -1,0 +1,174 @@
+// volumetric_trees: a function for a shader of #version 450 or later, compiled by texgraphc 0.1.0.
+// Call it in the main part of a fragment shader, outside branches and loops: textures are
+// sampled with derivatives, which neighbouring pixels have to compute together.
+
+// Parameters
+uniform vec2 view;  // default vec2(0.25, 0.55)
+
+// Textures
+uniform sampler3D tree;
+uniform sampler2DArray meadows;
+
+// Types
+struct volumetric_trees_Tile3 {
+  vec3 local;
+  vec3 size;
+};
+
+// cell_hash (indirection/cell_hash.glsl)
+uint volumetric_trees_cell_hash(ivec2 cell) {
+  uvec2 c = uvec2(cell);
+  uvec2 v = c.x * uvec2(1664525u, 389569705u) + c.y * uvec2(389569705u, 2942464162u)
+      + uvec2(129708002u, 817759070u);
+  v ^= v >> 16u;
+  v *= uvec2(1664525u, 389569706u);
+  return v.x + v.y;
+}
+
+// cell_hash (indirection/cell_hash.glsl)
+uint volumetric_trees_cell_hash(ivec3 cell) {
+  uvec3 v = uvec3(cell) * 1664525u + uvec3(129708002u, 817759070u, 2145236065u);
+  uint sum = v.x + v.y * v.z;
+  uint sum2 = v.y + v.z * sum;
+  v = uvec3(sum, sum2, v.z + sum * sum2);
+  v ^= v >> 16u;
+  uint sum3 = v.x + v.y * v.z;
+  return v.z + sum3 * (v.y + v.z * sum3);
+}
+
+// hash (random/hash.glsl)
+uint volumetric_trees_hash(uint value) {
+  uint state = value * 747796405u + 2891336453u;
+  uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+  return (word >> 22u) ^ word;
+}
+
+// four_numbers, of virtual_random_map (indirection/virtual_random_map.glsl)
+vec4 volumetric_trees_four_numbers(uint seed) {
+  uint first = volumetric_trees_hash(seed);
+  uint second = volumetric_trees_hash(first);
+  float value = float(second >> 16u);
+  vec4 vector = vec4(float(first & 65535u), float(first >> 16u), float(second & 65535u), value);
+  return vector * 1.5258789e-5;
+}
+
+// share_of, of tile_transform (indirection/tile_transform.glsl)
+float volumetric_trees_share_of(vec2 q, float tile_in_q, vec2 local, vec2 q_dx, vec2 q_dy,
+    vec2 local_dx, vec2 local_dy) {
+  vec2 density = 1.0 / clamp(sqrt(q_dx * q_dx + q_dy * q_dy), 1e-5, tile_in_q);
+  vec2 share = min((0.5 - abs(q - 0.5)) * density + 0.5, density);
+  vec2 width = clamp(sqrt(local_dx * local_dx + local_dy * local_dy), 1e-5, 1.0);
+  vec2 clamped = clamp((0.5 - abs(local - 0.5)) / width + 0.5, 0.5, 1.0);
+  share /= clamped;
+  vec2 covered = clamp(share, 0.0, 1.0);
+  return covered.x * covered.y;
+}
+
+// tile_transform (indirection/tile_transform.glsl)
+void volumetric_trees_tile_transform(volumetric_trees_Tile3 tile, vec3 position, float scale,
+    float rotation, vec3 tile_local_dx, vec3 tile_local_dy, out volumetric_trees_Tile3 inner,
+    out float coverage, out vec3 inner_local_dx, out vec3 inner_local_dy) {
+  float angle = rotation * 0.017453292;
+  float cosine = cos(angle);
+  float sine = sin(angle);
+  vec2 turn = vec2(cosine, sine);
+  vec2 sum = abs(cosine) + abs(sine) * tile.size.yx / tile.size.xy;
+  vec3 box = vec3(sum, 1.0);
+  float size = max(scale, 1e-5);
+  size = min(size, 1.0 / max(max(sum.x, sum.y), 1.0));
+  vec3 half_box = 0.5 * size * box;
+  vec3 middle = half_box + clamp(position, 0.0, 1.0) * (1.0 - 2.0 * half_box);
+  vec3 from_middle = tile.local - middle;
+  vec2 p = from_middle.xy * tile.size.xy;
+  vec2 p_dx = tile_local_dx.xy * tile.size.xy;
+  vec2 p_dy = tile_local_dy.xy * tile.size.xy;
+  vec2 product = size * tile.size.xy;
+  bvec2 test = notEqual(product, vec2(0.0));
+  vec2 ratio = vec2(dot(turn, p_dx), p_dx.y * cosine - p_dx.x * sine) / product;
+  vec2 q_dx = mix(vec2(0.0), ratio, test);
+  vec2 ratio2 = vec2(dot(turn, p_dy), p_dy.y * cosine - p_dy.x * sine) / product;
+  vec2 q_dy = mix(vec2(0.0), ratio2, test);
+  vec2 q = vec2(dot(turn, p), cosine * p.y - sine * p.x) / product + 0.5;
+  bool test2 = size != 0.0;
+  float height_dx = test2 ? tile_local_dx.z / size : 0.0;
+  float height_dy = test2 ? tile_local_dy.z / size : 0.0;
+  float height = from_middle.z / size + 0.5;
+  float ratio3 = 1.0 / size;
+  float pixel = clamp(sqrt(height_dx * height_dx + height_dy * height_dy), 1e-5, ratio3);
+  float least = min((0.5 - abs(height - 0.5)) / pixel + 0.5, 1.0 / pixel);
+  float slice = clamp(least, 0.0, 1.0);
+  float share_of_value = volumetric_trees_share_of(q, ratio3, tile.local.xy, q_dx, q_dy,
+      tile_local_dx.xy, tile_local_dy.xy);
+  float coverage2 = share_of_value * slice;
+  vec2 sum2 = tile_local_dx.xy * tile_local_dx.xy + tile_local_dy.xy * tile_local_dy.xy;
+  vec2 tiles = sqrt(sum2);
+  float away = clamp(2.0 * max(tiles.x, tiles.y) - 1.0, 0.0, 1.0);
+  coverage2 = mix(coverage2, size * size * slice, away);
+  inner = volumetric_trees_Tile3(vec3(q, height), size * tile.size);
+  coverage = scale > 0.0 ? coverage2 : 0.0;
+  inner_local_dx = vec3(q_dx, height_dx);
+  inner_local_dy = vec3(q_dy, height_dy);
+}
+
+// forest (function of the graph)
+vec4 volumetric_trees_forest(vec3 position, vec3 position_dx, vec3 position_dy) {
+  // grid: virtual_tile_map (indirection/virtual_tile_map.glsl)
+  vec3 product = position * vec3(11.0, 11.0, 1.0);
+  vec3 whole = floor(product);
+  volumetric_trees_Tile3 grid = volumetric_trees_Tile3(product - whole,
+      vec3(0.09090909, 0.09090909, 1.0));
+  vec3 grid_local_dx = position_dx * vec3(11.0, 11.0, 1.0);
+  vec3 grid_local_dy = position_dy * vec3(11.0, 11.0, 1.0);
+  // luck: virtual_random_map (indirection/virtual_random_map.glsl)
+  vec4 luck = volumetric_trees_four_numbers(volumetric_trees_cell_hash(ivec3(whole)));
+  // ground: combine3 (channels/combine3.glsl)
+  vec3 ground = vec3(luck.xy, 0.0);
+  // size: remap (math/remap.glsl)
+  float size = mix(0.45, 0.8, luck.z);
+  // angle: multiply (math/multiply.glsl)
+  float angle = luck.w * 360.0;
+  // place: tile_transform (indirection/tile_transform.glsl)
+  volumetric_trees_Tile3 place_inner;
+  float place_coverage;
+  vec3 place_inner_local_dx, place_inner_local_dy;
+  volumetric_trees_tile_transform(grid, ground, size, angle, grid_local_dx, grid_local_dy,
+      place_inner, place_coverage, place_inner_local_dx, place_inner_local_dy);
+  // painted: reference_texture (indirection/reference_texture.glsl)
+  vec4 painted = textureGrad(tree, place_inner.local, place_inner_local_dx, place_inner_local_dy);
+  // seen: apply_mask (layers/apply_mask.glsl)
+  vec4 seen = vec4(painted.xyz, painted.w * place_coverage);
+  return seen;
+}
+
+// volume_slices (indirection/volume_slices.glsl)
+vec4 volumetric_trees_volume_slices(vec2 uv, vec2 view, vec2 uv_dx, vec2 uv_dy) {
+  vec4 sum = vec4(0.0);
+  for (int i = 63; i > -1; --i) {
+    if (sum.w < 0.999) {
+      float level = (float(i) + 0.5) * 0.015625;
+      vec3 vector = vec3(uv - view * (0.14 * level), level);
+      vec4 slice = volumetric_trees_forest(vector, vec3(uv_dx, 0.0), vec3(uv_dy, 0.0));
+      float below = slice.w * (1.0 - sum.w);
+      sum += vec4(slice.xyz * below, below);
+    }
+  }
+  return vec4(sum.xyz / max(sum.w, 1e-20), sum.w);
+}
+
+vec4 volumetric_trees(vec2 uv) {
+  vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
+  // grass_cells: virtual_tile_map (indirection/virtual_tile_map.glsl)
+  vec2 product = uv * 6.0;
+  vec2 whole = floor(product);
+  // grass_pattern: virtual_indirection_map (indirection/virtual_indirection_map.glsl)
+  int grass_pattern = int(volumetric_trees_cell_hash(ivec2(whole)) >> 28u);
+  // grass: reference_texture (indirection/reference_texture.glsl)
+  vec3 vector = vec3(product - whole, float(grass_pattern));
+  vec4 grass = textureGrad(meadows, vector, uv_dx * 6.0, uv_dy * 6.0);
+  // trees: volume_slices (indirection/volume_slices.glsl)
+  vec4 trees = volumetric_trees_volume_slices(uv, view, uv_dx, uv_dy);
+  // land: over (layers/over.glsl)
+  float blend = mix(grass.w, 1.0, trees.w);
+  vec4 land = vec4(mix(grass.xyz, trees.xyz, trees.w / max(blend, 1e-20)), blend);
+  return land;
+}
