@@ -38,8 +38,9 @@ struct ParameterDoc {
   std::vector<Setting> settings;
 };
 
-constexpr std::string_view kInlineTags[] = {"@default", "@length",    "@range",    "@unit",
-                                            "@ordered", "@not_below", "@computed", "@multiple_of"};
+constexpr std::string_view kInlineTags[] = {"@default",  "@length",      "@range",
+                                            "@unit",     "@ordered",     "@not_below",
+                                            "@computed", "@multiple_of", "@transitions"};
 constexpr std::string_view kTags[] = {"@param", "@return", "@source"};
 
 bool IsBlank(char c) { return c == ' ' || c == '\t'; }
@@ -307,9 +308,8 @@ class DocChecker {
     if (!doc) return;
     port.help = doc->help;
     // The default is checked against the range.
-    for (std::string_view tag :
-         {"@unit", "@range", "@length", "@default", "@ordered", "@not_below", "@multiple_of",
-          "@computed"}) {
+    for (std::string_view tag : {"@unit", "@range", "@length", "@default", "@ordered", "@not_below",
+                                 "@multiple_of", "@transitions", "@computed"}) {
       for (const Setting& setting : doc->settings) {
         if (setting.tag.text == tag) SetSetting(port, setting, is_input);
       }
@@ -477,7 +477,8 @@ class DocChecker {
 
   // Set when all inputs are known.
   static bool NamesInputs(std::string_view tag) {
-    return tag == "@ordered" || tag == "@not_below" || tag == "@multiple_of";
+    return tag == "@ordered" || tag == "@not_below" || tag == "@multiple_of" ||
+           tag == "@transitions";
   }
 
   // Of a field, the type of its results.
@@ -495,6 +496,7 @@ class DocChecker {
       if (setting.tag.text == "@ordered") SetOrdered(port, setting);
       if (setting.tag.text == "@not_below") SetNotBelow(overload, port, setting);
       if (setting.tag.text == "@multiple_of") SetMultipleOf(overload, port, setting);
+      if (setting.tag.text == "@transitions") SetTransitions(overload, port, setting);
     }
   }
 
@@ -529,6 +531,21 @@ class DocChecker {
                    "'@multiple_of' is for a 'const ivec2', and names an input that is a texture");
     }
     port.multiple_of = static_cast<uint32_t>(map - overload.inputs.data());
+  }
+
+  bool IsListOfInts(const Port& port) const {
+    return port.kind == PortKind::kTemplate && IsUnsized(program_.module.types, port.type) &&
+           ElementOf(port.type) == ir::kInt;
+  }
+
+  void SetTransitions(const Overload& overload, Port& port, const Setting& setting) {
+    const Port* families = FindInput(overload, setting);
+    if (!families) return;
+    if (families == &port || !IsListOfInts(port) || !IsListOfInts(*families)) {
+      return Error(setting.tag.range,
+                   "'@transitions' is for a 'const int[]', and names another one");
+    }
+    port.transitions_of = static_cast<uint32_t>(families - overload.inputs.data());
   }
 
   void SetNotBelow(const Overload& overload, Port& port, const Setting& setting) {

@@ -41,6 +41,7 @@ void SubgraphChecker::CheckPortOrder(const CheckedNode& checked, const blocks::O
   for (uint32_t i = 0; i < overload.inputs.size(); ++i) {
     const blocks::Port& port = overload.inputs[i];
     if (port.not_below) CheckNotBelow(checked, overload, i);
+    if (port.transitions_of) CheckTransitions(checked, overload, i);
     const ir::ConstId constant = KnownValue(checked.inputs[i]);
     if (!port.ordered || !constant) continue;
     const ir::TypeId type = check_.module.constant(constant).type;

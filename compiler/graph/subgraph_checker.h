@@ -147,6 +147,10 @@ class SubgraphChecker {
   void CheckPortOrder(const CheckedNode& checked, const blocks::Overload& overload);
   void CheckNotBelow(const CheckedNode& checked, const blocks::Overload& overload, uint32_t most);
 
+  // transition_sets.cc: patterns for all corners that differ.
+  void CheckTransitions(const CheckedNode& checked, const blocks::Overload& overload,
+                        uint32_t index);
+
   // resolve.cc: names.
   Resolved Resolve(const Argument& argument) const;
   Resolved ResolveOutput(Symbol symbol, const std::optional<std::string_view>& port) const;

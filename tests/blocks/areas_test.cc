@@ -315,6 +315,13 @@ struct Transitions {
   std::vector<int> materials, transitions;
 };
 
+// As many transitions as there are for so many families: number i is pattern i.
+std::string NumberedTransitions(int count) {
+  std::string list = "[0";
+  for (int i = 1; i < count * count * count * count; ++i) list += ", " + std::to_string(i);
+  return list + "]";
+}
+
 // The blocks in a graph, at the middle of each tile of a torus: the material is a map's.
 Transitions RunTransitions(const std::vector<std::vector<double>>& rows,
                            const std::string& families, int count) {
@@ -330,7 +337,7 @@ Transitions RunTransitions(const std::vector<std::vector<double>>& rows,
           size + R"(, "toroidal": true}},
         "map": {"block": "explicit_indirection_map", "in": {"map": "where", "tile": "tiles"}},
         "t": {"block": "transition_tiles", "in": {"material": "map", "families": )" +
-          families + R"(, "family_count": )" + std::to_string(count) + R"(}},
+          families + R"(, "transitions": )" + NumberedTransitions(count) + R"(}},
         "told": {"block": "combine2", "in": {"x": "t.material_here", "y": "t.transition"}},
         "both": {"block": "components", "in": {"vector": "told"}},
         "color": {"block": "combine4", "in": {"x": "both.x", "y": "both.y"}}},
@@ -347,8 +354,8 @@ Transitions RunTransitions(const std::vector<std::vector<double>>& rows,
 // O10. Tiles that share a border have the same families at its ends; plain tiles have no
 // transition; and all of m^4 - m transitions come up.
 TEST(TransitionTilesTest, BordersAgreeAboutTheirCorners) {
-  const std::vector<int> families = {0, 1, 1, 2, 0};
   for (int count : {2, 3}) {
+    const std::vector<int> families = {0, 1, 1, count - 1, 0};
     // A torus of random materials, large enough that each transition comes up.
     const int side = 48;
     const int kinds = count == 2 ? 3 : 5;
@@ -357,7 +364,8 @@ TEST(TransitionTilesTest, BordersAgreeAboutTheirCorners) {
       rows[static_cast<size_t>(i / side)][static_cast<size_t>(i % side)] =
           reference::Pcg(static_cast<uint32_t>(i)) % static_cast<uint32_t>(kinds);
     }
-    Transitions seen = RunTransitions(rows, "[0, 1, 1, 2, 0]", count);
+    Transitions seen =
+        RunTransitions(rows, count == 2 ? "[0, 1, 1, 1, 0]" : "[0, 1, 1, 2, 0]", count);
     ASSERT_EQ(seen.transitions.size(), static_cast<size_t>(side * side));
     // The families of a tile's four corners: left below, right below, left above, right above.
     auto corners = [&](int x, int y) {
@@ -548,11 +556,10 @@ TEST(PixelMapTest, BordersAreAPixelWide) {
 }
 
 TEST(TransitionPatternTest, IsTheTilesOwnUnlessThereIsATransition) {
-  auto outputs = RunBlock("transition_pattern", {{"plain", Ints({5, 5, 5, -1})},
-                                                 {"transition", Ints({-1, 1, 14, -1})},
-                                                 {"first", Ints({15})}});
+  auto outputs = RunBlock("transition_pattern",
+                          {{"plain", Ints({5, 5, 5, -1})}, {"transition", Ints({-1, 0, 14, -1})}});
   ASSERT_EQ(outputs.count("result"), 1u);
-  const int expected[] = {5, 16, 29, -1};
+  const int expected[] = {5, 0, 14, -1};
   for (size_t i = 0; i < 4; ++i) EXPECT_EQ(outputs["result"].Int(i), expected[i]) << i;
 }
 

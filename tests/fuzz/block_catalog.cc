@@ -177,6 +177,13 @@ std::vector<float> BlockCatalog::Known(const Port& port,
   return known;
 }
 
+size_t BlockCatalog::FamilyCount(const Port& families,
+                                 std::span<const PortArgument> arguments) const {
+  auto argument = std::ranges::find(arguments, families.name, &PortArgument::port);
+  if (argument == arguments.end() || argument->thing) return 0;
+  return static_cast<size_t>(std::ranges::max(argument->literal.numbers)) + 1;
+}
+
 bool BlockCatalog::KeepsOrder(const Overload& overload,
                               std::span<const PortArgument> arguments) const {
   for (const Port& port : overload.inputs) {
@@ -184,6 +191,15 @@ bool BlockCatalog::KeepsOrder(const Overload& overload,
       for (float number : Known(port, arguments)) {
         if (std::fmod(number, kMapMultiple) != 0) return false;
       }
+    }
+    if (port.transitions_of) {
+      // Other lists than those that were made for these families seldom fit.
+      const size_t count = FamilyCount(overload.inputs[*port.transitions_of], arguments);
+      auto argument = std::ranges::find(arguments, port.name, &PortArgument::port);
+      if (argument == arguments.end() || argument->thing) return false;
+      const auto& numbers = argument->literal.numbers;
+      if (numbers.size() != count * count * count * count) return false;
+      if (std::ranges::any_of(numbers, [](double number) { return number < 0; })) return false;
     }
     if (!port.not_below) continue;
     const std::vector<float> least = Known(overload.inputs[*port.not_below], arguments);

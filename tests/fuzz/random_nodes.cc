@@ -124,6 +124,18 @@ Argument RandomNodes::List(const Port& port) {
   return list;
 }
 
+// A pattern for all corners, of as many families as there are.
+std::optional<Argument> RandomNodes::Transitions(const Port& families,
+                                                 std::span<const PortArgument> arguments) {
+  const size_t count = catalog_.FamilyCount(families, arguments);
+  if (count == 0) return std::nullopt;
+  Argument list;
+  list.kind = Argument::Kind::kVector;
+  list.is_integer = true;
+  for (size_t i = 0; i < count * count * count * count; ++i) list.numbers.push_back(Below(32));
+  return list;
+}
+
 Tree RandomNodes::TreeOf(const Argument& literal, bool is_list) {
   const auto number = [&](double value) {
     if (literal.is_integer) return Tree::Raw(fmt::format("{:.0f}", value));
@@ -211,7 +223,18 @@ std::optional<Tree> RandomNodes::Bind(std::span<const Overload> overloads, const
     }
     PortArgument argument;
     const bool is_template = port.kind == PortKind::kTemplate;
-    std::optional<Tree> tree = MakeArgument(port, is_template ? 3 : 8, argument);
+    std::optional<Argument> transitions;
+    if (port.transitions_of) {
+      transitions = Transitions(meant.inputs[*port.transitions_of], arguments);
+    }
+    std::optional<Tree> tree;
+    if (transitions) {
+      argument.port = port.name;
+      argument.literal = *transitions;
+      tree = TreeOf(argument.literal, true);
+    } else {
+      tree = MakeArgument(port, is_template ? 3 : 8, argument);
+    }
     if (!tree && IsRequired(port)) return std::nullopt;
     if (!tree) continue;
     in.Set(port.name, std::move(*tree));

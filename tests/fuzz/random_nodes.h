@@ -40,6 +40,8 @@ class RandomNodes {
   // A literal for the port. None if its type has none.
   std::optional<graph::Argument> Literal(const blocks::Port& port);
   graph::Argument List(const blocks::Port& port);
+  std::optional<graph::Argument> Transitions(const blocks::Port& families,
+                                             std::span<const PortArgument> arguments);
   // `is_list`: of numbers in one row, not a matrix, however many they are.
   Tree TreeOf(const graph::Argument& literal, bool is_list = false);
   const std::deque<Thing>& things() const { return things_; }

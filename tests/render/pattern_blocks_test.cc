@@ -98,7 +98,8 @@ INSTANTIATE_TEST_SUITE_P(
                                 R"("m": {"block": "dithered_areas_map", "in": {"areas": "where",
                         "tile": "wide", "cells": [12, 16]}},
                        "t": {"block": "transition_tiles", "in": {"material": "m",
-                        "families": [0, 1, 0], "family_count": 2}},
+                        "families": [0, 1, 0], "transitions": [-1, 7, 2, 9, 4, 1, 0, 3, 14, 11, 5,
+                        6, 13, 8, 12, -1]}},
                        "n": {"block": "to_float", "in": {"value": "t.transition"}})"}),
     [](const auto& info) { return std::string(info.param.name); });
 

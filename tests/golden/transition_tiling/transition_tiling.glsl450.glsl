@@ -16,6 +16,8 @@ struct transition_tiling_Tile {
 
 // Constants
 const int transition_tiling_families[2] = int[2](0, 1);
+const int transition_tiling_transitions[16] = int[16](-1, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25,
+    26, 27, 28, 29, -1);
 const int transition_tiling_kinds[16] = int[16](0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14,
     15);
 
@@ -80,9 +82,12 @@ int transition_tiling_transition_tiles(vec2 uv, int material) {
   int clamped3 = clamp(transition_tiling_dithered_areas_map(transition_tiling_virtual_tile_map_grid(uv,
       ivec2(1))), 0, 1);
   int both = transition_tiling_families[clamped3];
-  int number = here + 2 * (right + 2 * (up + 2 * both));
   bool plain = here == right && here == up && here == both;
-  int transition = plain ? -1 : number;
+  int transition = -1;
+  if (!plain) {
+    int sum = here + 2 * (right + 2 * (up + 2 * both));
+    transition = transition_tiling_transitions[clamp(sum, 0, 15)];
+  }
   return transition;
 }
 
@@ -113,7 +118,7 @@ vec4 transition_tiling(vec2 uv) {
   // plain: materials_map (indirection/materials_map.glsl)
   int plain = transition_tiling_drawn(kind, grid.seed);
   // pattern: transition_pattern (indirection/transition_pattern.glsl)
-  int pattern = shore_transition < 0 ? plain : 15 + shore_transition;
+  int pattern = shore_transition < 0 ? plain : shore_transition;
   // close: reference_texture (indirection/reference_texture.glsl)
   vec4 texel = textureGrad(grounds, vec3(grid.local, float(pattern)), grid_local_dx, grid_local_dy);
   vec4 close = pattern < 0 ? vec4(0.0) : texel;

@@ -216,13 +216,13 @@ TEST(BlockDocs, Mistakes) {
 }
 
 TEST(BlockDocs, Lengths) {
-  TestLibrary test(Files{
-      {"x.glsl",
-       "const vec2 LINE[2] = vec2[](vec2(0.0), vec2(1.0));\n"
-       "/// X.\n/// @param a some @length 2 8 @default LINE\n///   or more\n"
-       "/// @param b any @range 0 1 @default float[](0.5, 1.0, 0.25)\n"
-       "/// @param c four\n"
-       "float x(const vec2 a[], const float b[], const ivec2 c[4], const int d) { return b[0]; }"}});
+  TestLibrary test(Files{{"x.glsl",
+                          "const vec2 LINE[2] = vec2[](vec2(0.0), vec2(1.0));\n"
+                          "/// X.\n/// @param a some @length 2 8 @default LINE\n///   or more\n"
+                          "/// @param b any @range 0 1 @default float[](0.5, 1.0, 0.25)\n"
+                          "/// @param c four\n"
+                          "float x(const vec2 a[], const float b[], const ivec2 c[4], const int d) "
+                          "{ return b[0]; }"}});
   const Block* block = test.library.Find("x");
   ASSERT_NE(block, nullptr) << test.Report();
   const std::vector<Port>& in = block->overloads[0].inputs;
@@ -233,8 +233,7 @@ TEST(BlockDocs, Lengths) {
   }
   EXPECT_THAT(lengths, ElementsAre("2-8", "1-1024", "4-4", "0-0"));
   EXPECT_EQ(in[0].help, "some or more");
-  EXPECT_THAT(test.module.Words(in[0].default_value),
-              ElementsAre(0u, 0u, Bits(1.0f), Bits(1.0f)));
+  EXPECT_THAT(test.module.Words(in[0].default_value), ElementsAre(0u, 0u, Bits(1.0f), Bits(1.0f)));
   EXPECT_THAT(test.module.Words(in[1].default_value),
               ElementsAre(Bits(0.5f), Bits(1.0f), Bits(0.25f)));
   auto report = [](std::string_view doc) {
@@ -324,6 +323,31 @@ TEST(BlockDocs, MultiplesOfTexturesSizes) {
   EXPECT_EQ(report("a it @multiple_of b"), wrong);
   EXPECT_EQ(report("b it @multiple_of c"), wrong);
   EXPECT_EQ(report("d it @multiple_of c"), "2:17: an output has no '@multiple_of' [block-doc]\n");
+}
+
+TEST(BlockDocs, TransitionsOfFamilies) {
+  TestLibrary test(
+      Files{{"x.glsl",
+             "/// X.\n/// @param tiles the patterns @transitions kinds\n"
+             "int x(const int kinds[], const int tiles[], int i) { return tiles[i]; }"}});
+  const Block* block = test.library.Find("x");
+  ASSERT_NE(block, nullptr) << test.Report();
+  EXPECT_EQ(block->overloads[0].inputs[1].transitions_of, 0u);
+  EXPECT_FALSE(block->overloads[0].inputs[0].transitions_of);
+  auto report = [](std::string_view doc) {
+    return ReportOf(
+        "/// X.\n/// @param " + std::string(doc) +
+        "\nint x(const int a[], const int b[], const float c[], const int d, out int e) {"
+        "\n  e = a[0]; return b[0] + int(c[0]) + d; }");
+  };
+  EXPECT_EQ(report("a it @transitions f"), "2:30: there is no input 'f' [block-doc]\n");
+  const char* wrong =
+      "2:17: '@transitions' is for a 'const int[]', and names another one [block-doc]\n";
+  for (const char* doc : {"a it @transitions a", "a it @transitions c", "a it @transitions d",
+                          "c it @transitions a", "d it @transitions a"}) {
+    EXPECT_EQ(report(doc), wrong) << doc;
+  }
+  EXPECT_EQ(report("e it @transitions a"), "2:17: an output has no '@transitions' [block-doc]\n");
 }
 
 TEST(BlockDocs, Enumerations) {
