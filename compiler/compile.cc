@@ -135,6 +135,7 @@ std::optional<Lowered> Lower(SourceId source, graph::DocumentFormat format, cons
   auto checked = graph::CheckGraph(*lowered.graph, settings, *lowered.library, module, diagnostics);
   manifest::CheckTextures(*lowered.graph, std::string(FolderOf(sources.Name(source))), options.roots, diagnostics);
   if (checked) CheckMapMultiples(*checked, module, diagnostics);
+  if (checked) CheckPatternRanges(*checked, module, diagnostics);
   if (!checked || diagnostics.HasErrors()) return std::nullopt;
   lowered.checked = std::make_unique<graph::CheckedGraph>(std::move(*checked));
 

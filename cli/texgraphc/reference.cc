@@ -182,6 +182,9 @@ class Printer {
     if (!port.unit.empty()) add("in " + port.unit);
     if (port.ordered) add("the least first");
     if (port.not_below) add("not below " + ports[*port.not_below].name);
+    if (port.multiple_of) add("multiples of the size of " + ports[*port.multiple_of].name);
+    if (port.transitions_of) add("for the corners of " + ports[*port.transitions_of].name);
+    if (port.below) add("counts " + ports[*port.below].name);
     std::string words;
     for (const blocks::EnumWord& word : port.words)
       words += (words.empty() ? "" : ", ") + word.word;

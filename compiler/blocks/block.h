@@ -65,6 +65,12 @@ struct Port {
   // input, m^4 patterns, one for each way in which the four corners of a tile can be of families.
   // None is below 0 where two corners differ.
   std::optional<uint32_t> transitions_of;
+  // "@below name": its numbers count what that input has: the patterns or lists of a texture, the
+  // elements of an array, the fields of an ivec2 grid, or as many as an int says.
+  std::optional<uint32_t> below;
+  // "@one_of name ...", of an output: what is known of its numbers. Each is one of an array, of a
+  // texture, or of what stands at a value or field; of a "const int" one from 0 to below it.
+  std::vector<uint32_t> one_of;
   std::vector<EnumWord> words;
   std::vector<std::string> field_parameters;  // kField: the names of the prototype's parameters
 };

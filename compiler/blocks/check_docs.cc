@@ -38,9 +38,9 @@ struct ParameterDoc {
   std::vector<Setting> settings;
 };
 
-constexpr std::string_view kInlineTags[] = {"@default",  "@length",      "@range",
-                                            "@unit",     "@ordered",     "@not_below",
-                                            "@computed", "@multiple_of", "@transitions"};
+constexpr std::string_view kInlineTags[] = {
+    "@default",  "@length",      "@range",       "@unit",  "@ordered", "@not_below",
+    "@computed", "@multiple_of", "@transitions", "@below", "@one_of"};
 constexpr std::string_view kTags[] = {"@param", "@return", "@source"};
 
 bool IsBlank(char c) { return c == ' ' || c == '\t'; }
@@ -97,6 +97,7 @@ class DocChecker {
       for (Port& port : overload.outputs) SetPort(overload, port, false);
       // After all defaults, which are compared.
       for (Port& port : overload.inputs) SetOrder(overload, port);
+      for (Port& port : overload.outputs) SetOneOf(overload, port);
     }
   }
 
@@ -105,7 +106,7 @@ class DocChecker {
   struct Lines {
     const FunctionAst* function;
     std::vector<ParameterDoc> parameters;
-    std::string result_help;
+    ParameterDoc result;  // without a name
   };
 
   void Error(SourceRange range, std::string message) {
@@ -163,25 +164,29 @@ class DocChecker {
     if (!is_port) return RefuseTags(lines);
     Lines& run = runs_.emplace_back();
     run.function = &function;
-    bool in_parameter = false;
-    for (const Tag& tag : Split(lines)) ReadTag(tag, run, in_parameter);
+    ParameterDoc* open = nullptr;
+    for (const Tag& tag : Split(lines)) ReadTag(tag, run, open);
   }
 
-  void ReadTag(const Tag& tag, Lines& run, bool& in_parameter) {
+  // `open` is what inline tags belong to, if anything.
+  void ReadTag(const Tag& tag, Lines& run, ParameterDoc*& open) {
     std::string_view name = tag.name.text;
     if (name.empty()) {
       for (const Piece& piece : tag.pieces) description_.push_back(piece.text);
       return;
     }
     bool is_inline = std::ranges::find(kInlineTags, name) != std::end(kInlineTags);
-    if (is_inline && in_parameter) return ReadSetting(tag, run.parameters.back());
-    in_parameter = name == "@param";
+    if (is_inline && open && (open != &run.result || name == "@one_of")) {
+      return ReadSetting(tag, *open);
+    }
+    open = nullptr;
     if (is_inline) {
       Error(tag.name.range, "'" + std::string(name) + "' stands in the text of a '@param'");
     } else if (name == "@param") {
-      in_parameter = ReadParameter(tag, run);
+      if (ReadParameter(tag, run)) open = &run.parameters.back();
     } else if (name == "@return") {
-      for (const Piece& piece : tag.pieces) AppendLine(run.result_help, piece.text, ' ');
+      for (const Piece& piece : tag.pieces) AppendLine(run.result.help, piece.text, ' ');
+      open = &run.result;
     } else if (name == "@source") {
       for (const Piece& piece : tag.pieces) AppendLine(file_.block.source, piece.text, ' ');
     } else {
@@ -300,7 +305,7 @@ class DocChecker {
       const FunctionAst* own = file_.functions[overload.function].ast;
       for (const Lines& run : runs_) {
         if (port.help.empty() || run.function == own) {
-          if (!run.result_help.empty()) port.help = run.result_help;
+          if (!run.result.help.empty()) port.help = run.result.help;
         }
       }
     }
@@ -308,8 +313,9 @@ class DocChecker {
     if (!doc) return;
     port.help = doc->help;
     // The default is checked against the range.
-    for (std::string_view tag : {"@unit", "@range", "@length", "@default", "@ordered", "@not_below",
-                                 "@multiple_of", "@transitions", "@computed"}) {
+    for (std::string_view tag :
+         {"@unit", "@range", "@length", "@default", "@ordered", "@not_below", "@multiple_of",
+          "@transitions", "@below", "@one_of", "@computed"}) {
       for (const Setting& setting : doc->settings) {
         if (setting.tag.text == tag) SetSetting(port, setting, is_input);
       }
@@ -324,6 +330,8 @@ class DocChecker {
       SetRange(port, setting);
     } else if (tag == "@length") {
       SetLength(port, setting);
+    } else if (tag == "@one_of") {
+      if (is_input) Error(setting.tag.range, "an input has no '@one_of'");
     } else if (NamesInputs(tag)) {
       if (!is_input) Error(setting.tag.range, "an output has no '" + std::string(tag) + "'");
     } else if (tag == "@computed") {
@@ -478,7 +486,7 @@ class DocChecker {
   // Set when all inputs are known.
   static bool NamesInputs(std::string_view tag) {
     return tag == "@ordered" || tag == "@not_below" || tag == "@multiple_of" ||
-           tag == "@transitions";
+           tag == "@transitions" || tag == "@below";
   }
 
   // Of a field, the type of its results.
@@ -497,6 +505,7 @@ class DocChecker {
       if (setting.tag.text == "@not_below") SetNotBelow(overload, port, setting);
       if (setting.tag.text == "@multiple_of") SetMultipleOf(overload, port, setting);
       if (setting.tag.text == "@transitions") SetTransitions(overload, port, setting);
+      if (setting.tag.text == "@below") SetBelow(overload, port, setting);
     }
   }
 
@@ -512,13 +521,15 @@ class DocChecker {
 
   // The input that a tag names; null, and reported, if there is none.
   const Port* FindInput(const Overload& overload, const Setting& setting) {
-    const std::string_view name = setting.value.text;
+    return FindInput(overload, setting.value);
+  }
+  const Port* FindInput(const Overload& overload, const Piece& piece) {
+    const std::string_view name = piece.text;
     auto input = std::ranges::find(overload.inputs, name, &Port::name);
     if (input != overload.inputs.end()) return &*input;
     std::vector<std::string_view> known;
     for (const Port& other : overload.inputs) known.push_back(other.name);
-    Error(setting.value.range,
-          "there is no input '" + Printable(name, 60) + "'" + DidYouMean(name, known));
+    Error(piece.range, "there is no input '" + Printable(name, 60) + "'" + DidYouMean(name, known));
     return nullptr;
   }
 
@@ -546,6 +557,58 @@ class DocChecker {
                    "'@transitions' is for a 'const int[]', and names another one");
     }
     port.transitions_of = static_cast<uint32_t>(families - overload.inputs.data());
+  }
+
+  // An int, a list of them, a function that gives one, or a map.
+  bool HoldsIndices(const Port& port) const {
+    return port.kind == PortKind::kTexture || IsListOfInts(port) || ValueType(port) == ir::kInt;
+  }
+
+  void SetBelow(const Overload& overload, Port& port, const Setting& setting) {
+    const Port* counted = FindInput(overload, setting);
+    if (!counted) return;
+    const bool counts =
+        counted->kind == PortKind::kTexture ||
+        (counted->kind == PortKind::kTemplate &&
+         (counted->type == ir::kInt || counted->type == ir::kIvec2 || IsListOfInts(*counted)));
+    if (counted == &port || !counts || !HoldsIndices(port)) {
+      return Error(setting.tag.range,
+                   "'@below' is for ints and maps, and names an input that is a texture, or a "
+                   "'const' int, ivec2 or int[]");
+    }
+    port.below = static_cast<uint32_t>(counted - overload.inputs.data());
+  }
+
+  // Of the return value what this overload's own lines say, else those of any.
+  const std::vector<Setting>* OutputSettings(const Overload& overload, const Port& port) const {
+    if (port.name != "result") {
+      const ParameterDoc* doc = FindDoc(overload, port.name);
+      return doc ? &doc->settings : nullptr;
+    }
+    const FunctionAst* own = file_.functions[overload.function].ast;
+    const Lines* found = nullptr;
+    for (const Lines& run : runs_) {
+      if (run.result.help.empty() || (found && run.function != own)) continue;
+      found = &run;
+    }
+    return found ? &found->result.settings : nullptr;
+  }
+
+  void SetOneOf(const Overload& overload, Port& port) {
+    const std::vector<Setting>* settings = OutputSettings(overload, port);
+    if (!settings) return;
+    for (const Setting& setting : *settings) {
+      if (setting.tag.text != "@one_of") continue;
+      if (port.type != ir::kInt) return Error(setting.tag.range, "only an int is '@one_of'");
+      for (Piece rest = setting.value; !rest.text.empty();) {
+        const Port* input = FindInput(overload, TakeWord(rest));
+        if (!input) return;
+        if (!HoldsIndices(*input)) {
+          return Error(setting.tag.range, "'@one_of' names inputs that are ints, lists or maps");
+        }
+        port.one_of.push_back(static_cast<uint32_t>(input - overload.inputs.data()));
+      }
+    }
   }
 
   void SetNotBelow(const Overload& overload, Port& port, const Setting& setting) {

@@ -145,5 +145,9 @@ std::optional<CheckedGraph> CheckGraph(const Graph& graph, const std::vector<Set
 // pictures of maps must be decoded.
 void CheckMapMultiples(const CheckedGraph& graph, const ir::Module& module,
                        Diagnostics& diagnostics);
+// Reports every port ("@below") that a number beyond what it counts comes to, as far as numbers can
+// be followed ("@one_of"). The pictures of maps must be decoded.
+void CheckPatternRanges(const CheckedGraph& graph, const ir::Module& module,
+                        Diagnostics& diagnostics);
 
 }  // namespace texgraph::graph

@@ -7,7 +7,7 @@
 /// @param tile the tile
 /// @param cells columns and rows of the tile map: multiples of the map's @multiple_of areas
 ///   @range 1 1048576
-/// @return the number in the map, -1 for nothing
+/// @return the number in the map, -1 for nothing @one_of areas
 int areas_map(sampler2D areas, Tile tile, const ivec2 cells) {
   ivec2 size = textureSize(areas, 0);
   ivec2 area = wrap_cell(tile.cell, cells) / max(cells / size, 1);

@@ -9,4 +9,5 @@
 /// @param b the second
 /// @param share how often it is the second @range 0 1
 /// @param random a random number, at least 0 and below 1
+/// @return one of the two @one_of a b
 int dither(int a, int b, float share, float random) { return random < share ? b : a; }

@@ -16,7 +16,7 @@
 ///   @range 1 1048576
 /// @param stream blocks with different streams dither independently; maps that are to dissolve
 ///   alike have the same @default 1
-/// @return the number in the map, -1 for nothing
+/// @return the number in the map, -1 for nothing @one_of areas
 int dithered_areas_map(sampler2D areas, Tile tile, const ivec2 cells, const int stream) {
   ivec2 size = textureSize(areas, 0);
   ivec2 half_area = max(cells / size, 1);

@@ -8,7 +8,7 @@
 /// @param map numbers of patterns, in the first channel; the row v = 0 is that of the cells of row
 ///   0
 /// @param tile the tile
-/// @return the number in the map, -1 for nothing
+/// @return the number in the map, -1 for nothing @one_of map
 int explicit_indirection_map(sampler2D map, Tile tile) {
   return int(texelFetch(map, wrap_cell(tile.cell, textureSize(map, 0)), 0).r);
 }

@@ -12,7 +12,7 @@
 /// @param tile the tile, a cell of the map
 /// @param layer which layer of the map, from 0; beyond the last there is nothing @default 0
 ///   @range 0 255
-/// @param pattern the pattern, -1 for none
+/// @param pattern the pattern, -1 for none @one_of sprites
 /// @param inner the pattern's frame; its cell is the one that the sprite's middle is in, so that
 ///   its random bits are the same all over the sprite
 /// @param coverage the share of the pixel that the sprite covers

@@ -16,16 +16,16 @@ int drawn(sampler2D lists, int material, uint seed, const int stream) {
 /// @source Lefebvre and Neyret, Pattern Based Procedural Textures, 2003, section 3.2, Materials Map
 /// @param lists a material a row, from the row v = 0, in the first channel
 /// @param material which material, from 0; below 0 there is none, and the result is -1. Beyond the
-///   last it is the last
+///   last it is the last @below lists
 /// @param tile the tile
 /// @param stream blocks with different streams choose independently @default 0
-/// @return a pattern, or -1 for nothing
+/// @return a pattern, or -1 for nothing @one_of lists
 int materials_map(sampler2D lists, int material, Tile tile, const int stream) {
   return drawn(lists, material, tile.seed, stream);
 }
 
 /// @param lists a material a row
-/// @param material which material, from 0; below 0 there is none
+/// @param material which material, from 0; below 0 there is none @below lists
 /// @param tile the cell of a line
 /// @param stream blocks with different streams choose independently @default 0
 int materials_map(sampler2D lists, int material, Tile1 tile, const int stream) {
@@ -33,7 +33,7 @@ int materials_map(sampler2D lists, int material, Tile1 tile, const int stream) {
 }
 
 /// @param lists a material a row
-/// @param material which material, from 0; below 0 there is none
+/// @param material which material, from 0; below 0 there is none @below lists
 /// @param tile the cell in space
 /// @param stream blocks with different streams choose independently @default 0
 int materials_map(sampler2D lists, int material, Tile3 tile, const int stream) {

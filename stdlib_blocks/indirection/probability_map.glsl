@@ -5,7 +5,7 @@
 ///   Map
 /// @param random a random number, at least 0 and below 1; beyond, it counts as the nearest such
 /// @param patterns the list; -1 is nothing @range -1 65535
-/// @return one of the list
+/// @return one of the list @one_of patterns
 int probability_map(float random, const int patterns[]) {
   return patterns[int(clamp(random, 0.0, 1.0) * float(patterns.length()))];
 }
@@ -14,7 +14,8 @@ int probability_map(float random, const int patterns[]) {
 /// @param random a random number, at least 0 and below 1; beyond, it counts as the nearest such
 /// @param lists a list a row, from the row v = 0, in the first channel
 /// @param list which list, from 0; below 0 there is none, and the result is -1. Beyond the last it
-///   is the last
+///   is the last @below lists
+/// @return one of the list, or -1 @one_of lists
 int probability_map(float random, sampler2D lists, int list) {
   ivec2 size = textureSize(lists, 0);
   ivec2 place = ivec2(int(clamp(random, 0.0, 1.0) * float(size.x)), list);

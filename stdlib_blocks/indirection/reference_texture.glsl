@@ -12,7 +12,7 @@ float level_of(float right, float up) { return max(0.5 * log2(max(max(right, up)
 /// @param patterns the patterns, a layer each; the texture should repeat ("wrap")
 /// @param tile where it is drawn
 /// @param pattern which pattern, from 0; below 0 there is none, transparent black. Beyond the last
-///   it is the last
+///   it is the last @below patterns
 vec4 reference_texture(sampler2DArray patterns, Tile tile, int pattern) {
   vec4 color = texture(patterns, vec3(tile.local, pattern));
   return pattern < 0 ? vec4(0.0) : color;
@@ -22,7 +22,7 @@ vec4 reference_texture(sampler2DArray patterns, Tile tile, int pattern) {
 /// @param patterns the patterns, a layer each; the texture should repeat ("wrap")
 /// @param tile where it is drawn
 /// @param pattern which pattern, from 0; below 0 there is none, transparent black. Beyond the last
-///   it is the last
+///   it is the last @below patterns
 vec4 reference_texture(sampler2DArray patterns, Tile1 tile, int pattern) {
   vec4 color = texture(patterns, vec3(tile.local, 0.5, pattern));
   return pattern < 0 ? vec4(0.0) : color;
@@ -35,7 +35,7 @@ vec4 reference_texture(sampler2DArray patterns, Tile1 tile, int pattern) {
 ///   coarsest level has at least one texel a pattern, and none mixes patterns
 /// @param tile where it is drawn
 /// @param pattern which pattern, from 0; below 0 there is none, transparent black. Beyond the last
-///   it is the last
+///   it is the last @below grid
 /// @param grid columns and rows of patterns @range 1 4096
 vec4 reference_texture(sampler2D patterns, Tile tile, int pattern, const ivec2 grid) {
   ivec2 texels = textureSize(patterns, 0) / grid;
@@ -56,7 +56,7 @@ vec4 reference_texture(sampler2D patterns, Tile tile, int pattern, const ivec2 g
 /// @param patterns the patterns, one upon the other; the texture should repeat ("wrap")
 /// @param tile where it is drawn
 /// @param pattern which pattern, from 0; below 0 there is none, transparent black. Beyond the last
-///   it is the last
+///   it is the last @below patterns_count
 /// @param patterns_count how many patterns there are @default 1 @range 1 2048
 vec4 reference_texture(sampler3D patterns, Tile3 tile, int pattern, const int patterns_count) {
   if (patterns_count == 1) {

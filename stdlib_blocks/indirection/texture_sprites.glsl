@@ -4,7 +4,7 @@
 /// look-ups a layer, and none for the layers below where the ones above hide them.
 /// @source Lefebvre and Neyret, Pattern Based Procedural Textures, 2003, section 3.2, Explicit
 ///   Positioning; texture sprites
-/// @param sprites the map, as of `explicit_positioning`
+/// @param sprites the map, as of `explicit_positioning` @below patterns
 /// @param patterns the patterns, a layer each
 /// @param tile the tile, a cell of the map
 /// @param layers how many layers of the map are drawn, the first ones @default 1 @range 1 255

@@ -4,5 +4,5 @@
 ///   Tiles
 /// @param plain the tile's own pattern, where no transition is needed
 /// @param transition the transition's pattern, -1 for none
-/// @return one of the two
+/// @return one of the two @one_of plain transition
 int transition_pattern(int plain, int transition) { return transition < 0 ? plain : transition; }

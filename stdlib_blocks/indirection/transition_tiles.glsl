@@ -13,8 +13,9 @@
 /// @param families the family of each material, from 0 @range 0 4
 /// @param transitions the pattern of each number. What stands where all four are of one family,
 ///   number 0 for one, is never shown: -1, say @range -1 65535 @transitions families
-/// @param material_here the tile's material
+/// @param material_here the tile's material @one_of material
 /// @param transition the transition's pattern; -1 where all four are of one family
+///   @one_of transitions
 int material(ivec2 neighbour);
 
 // The family of a material. Nothing, -1, is of the first one's.

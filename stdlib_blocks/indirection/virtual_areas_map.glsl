@@ -9,7 +9,7 @@
 ///   @default ivec2(8) @range 1 1048576
 /// @param dithered whether borders dissolve, as those of `dithered_areas_map` @default false
 /// @param stream as of `dithered_areas_map` @default 1
-/// @return the number of the tile's area
+/// @return the number of the tile's area @one_of area
 int area(vec2 uv, ivec2 cell);
 
 int virtual_areas_map(Tile tile, const ivec2 cells, const ivec2 areas, const bool dithered,

@@ -16,7 +16,7 @@ int far_away(const int stream) { return stream == 0 ? 0 : int(hash(uint(stream))
 /// @param stream blocks with different streams choose independently @default 0
 /// @param randomness hash, an integer hash of the cell; permutation, the paper's table
 ///   @default RANDOMNESS_HASH
-/// @return from 0 to patterns - 1
+/// @return from 0 to patterns - 1 @one_of patterns
 int virtual_indirection_map(Tile tile, const int patterns, const int stream,
                             const int randomness) {
   if (randomness == RANDOMNESS_PERMUTATION) {

@@ -85,8 +85,10 @@ INSTANTIATE_TEST_SUITE_P(
                     PatternCase{"constant_lists",
                                 R"("m": {"block": "explicit_indirection_map", "in": {"map": "where",
                         "tile": "tiles"}},
-                       "n": {"block": "materials_map", "in": {"lists": "still", "material": "m",
-                        "tile": "tiles", "stream": 2}})"},
+                       "f": {"block": "to_float", "in": {"value": "m"}},
+                       "beyond": {"block": "to_int", "in": {"value": "f"}},
+                       "n": {"block": "materials_map", "in": {"lists": "still",
+                        "material": "beyond", "tile": "tiles", "stream": 2}})"},
                     PatternCase{
                         "areas_map",
                         R"("n": {"block": "areas_map", "in": {"areas": "where", "tile": "wide",

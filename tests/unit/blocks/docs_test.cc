@@ -350,6 +350,38 @@ TEST(BlockDocs, TransitionsOfFamilies) {
   EXPECT_EQ(report("e it @transitions a"), "2:17: an output has no '@transitions' [block-doc]\n");
 }
 
+TEST(BlockDocs, WhatNumbersCount) {
+  TestLibrary test(Files{
+      {"x.glsl",
+       "/// X.\n/// @param i which @below list\n/// @return one @one_of list i\n"
+       "int x(int i, const int list[]) { return list[i]; }\n"
+       "/// @param i which @below map\n/// @return one @one_of map\n"
+       "int x(int i, sampler2D map) { return int(texelFetch(map, ivec2(i), 0).r); }"}});
+  const Block* block = test.library.Find("x");
+  ASSERT_NE(block, nullptr) << test.Report();
+  EXPECT_EQ(block->overloads[0].inputs[0].below, 1u);
+  EXPECT_THAT(block->overloads[0].outputs[0].one_of, ElementsAre(1u, 0u));
+  EXPECT_EQ(block->overloads[1].inputs[0].below, 1u);
+  EXPECT_THAT(block->overloads[1].outputs[0].one_of, ElementsAre(1u));
+  auto report = [](std::string_view doc) {
+    return ReportOf("/// X.\n/// " + std::string(doc) +
+                    "\nint x(int a, int b, vec2 c, sampler2D d, out float e) {"
+                    "\n  e = c.x; return a + b; }");
+  };
+  EXPECT_EQ(report("@param a it @below f"), "2:24: there is no input 'f' [block-doc]\n");
+  const char* wrong =
+      "2:17: '@below' is for ints and maps, and names an input that is a texture, or a 'const' "
+      "int, ivec2 or int[] [block-doc]\n";
+  EXPECT_EQ(report("@param a it @below b"), wrong);
+  EXPECT_EQ(report("@param c it @below d"), wrong);
+  EXPECT_EQ(report("@param e it @below d"), "2:17: an output has no '@below' [block-doc]\n");
+  EXPECT_EQ(report("@param a it @one_of b"), "2:17: an input has no '@one_of' [block-doc]\n");
+  EXPECT_EQ(report("@param e it @one_of a"), "2:17: only an int is '@one_of' [block-doc]\n");
+  EXPECT_EQ(report("@return it @one_of c"),
+            "2:16: '@one_of' names inputs that are ints, lists or maps [block-doc]\n");
+  EXPECT_EQ(report("@return it @one_of a f"), "2:26: there is no input 'f' [block-doc]\n");
+}
+
 TEST(BlockDocs, Enumerations) {
   TestLibrary test(
       Files{{"x.glsl",
