@@ -98,12 +98,12 @@ Picture PaintWater(int frame) {
     const Point c = p - Point{0.5, 0.5};
     const double r = Length(c);
     const Point out = Unit(c);
-    const double calm = 0.02;
-    const Point waves{Fractal(p * 4, 2, 5101, 4), Fractal(p * 4, 2, 5111, 4)};
-    const Point slope = out * (frame == 0 ? 0 : 4.4 * RippleSlope(r, t)) + waves * (calm * 8);
+    // Fine and faint, so that cells of still water beside each other are one pond.
+    const Point waves{Fractal(p * 8, 2, 5101, 8), Fractal(p * 8, 2, 5111, 8)};
+    const Point slope = out * (frame == 0 ? 0 : 4.4 * RippleSlope(r, t)) + waves * 0.03;
     const double lit = -0.55 * slope.x - 0.75 * slope.y;
-    const double depth = Fractal(p * 3 + slope * 0.05, 3, 5121, 3);
-    Color color = Mix({0.08, 0.30, 0.37}, {0.15, 0.43, 0.47}, SmoothStep(-0.5, 0.5, depth));
+    const double depth = Fractal(p * 9 + slope * 0.05, 2, 5121, 9);
+    Color color = Mix({0.108, 0.355, 0.41}, {0.120, 0.375, 0.425}, SmoothStep(-0.6, 0.6, depth));
     color = color * (1 + 0.75 * Clamp(lit, -0.75, 0.9));
     color = Lit(color, Color{0.75, 0.85, 0.88} * SmoothStep(0.32, 1.05, lit));
     if (frame == 1) {  // where it falls in

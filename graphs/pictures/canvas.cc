@@ -164,4 +164,11 @@ Picture Sheet(int columns, const std::vector<Picture>& pictures) {
   return sheet;
 }
 
+Picture Coarse(Picture picture) {
+  for (uint8_t& value : picture.pixels) {
+    value = static_cast<uint8_t>(std::min(255, (value + 4) / 8 * 8));
+  }
+  return picture;
+}
+
 }  // namespace texgraph::pictures

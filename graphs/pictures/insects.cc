@@ -86,7 +86,7 @@ Picture PaintLadybird(Color shell, int spots) {
 Picture PaintChafer() {
   const Color green{0.26, 0.55, 0.16};
   Canvas canvas(128, 128);
-  LayGround(canvas, {0.34, 0.47});
+  LayGround(canvas, {0.34, 0.43});
   LayLegs(canvas, {0.15, 0.33}, {0.29, 0.26}, {0.36, 0.16}, 0.024, {0.13, 0.20, 0.10});
   LayLegs(canvas, {0.20, 0.52}, {0.35, 0.52}, {0.41, 0.63}, 0.024, {0.13, 0.20, 0.10});
   LayLegs(canvas, {0.18, 0.66}, {0.32, 0.72}, {0.37, 0.87}, 0.026, {0.13, 0.20, 0.10});

@@ -108,7 +108,7 @@ std::vector<NamedPicture> Pictures() {
       {"tiled_floor/glaze_relief.png", MakeGlazeRelief},
       {"tiled_floor/wear.png", MakeWear},
       {"transition_tiling/ground.png", MakeShore},
-      {"volumetric_trees/tree.png", MakeTree},
+      {"volumetric_trees/trees.png", MakeTrees},
   };
 }
 

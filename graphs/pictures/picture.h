@@ -88,7 +88,7 @@ Picture MakeLamps();
 Picture MakeMessage();
 Picture MakeDrops();
 Picture MakeOpeningFlower();
-Picture MakeTree();
+Picture MakeTrees();
 Picture MakeInsects();
 
 }  // namespace texgraph::pictures

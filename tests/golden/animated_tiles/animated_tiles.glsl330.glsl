@@ -52,6 +52,38 @@ int animated_tiles_animation_map(float time, float phase, float rest, float rate
   return int(min(shown, 7.0));
 }
 
+// hash (random/hash.glsl)
+uvec2 animated_tiles_hash(uvec2 value) {
+  uvec2 state = value * 747796405u + 2891336453u;
+  uvec2 word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+  return (word >> 22u) ^ word;
+}
+
+// hash (random/hash.glsl)
+uvec4 animated_tiles_hash(uvec4 value) {
+  uvec4 state = value * 747796405u + 2891336453u;
+  uvec4 word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+  return (word >> 22u) ^ word;
+}
+
+// value_noise (patterns/value_noise.glsl)
+float animated_tiles_value_noise(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
+  vec2 p = uv * vec2(5.3, 4.7);
+  vec2 base = floor(p);
+  vec2 t = p - base;
+  vec2 fade = t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
+  uvec2 cell = uvec2(ivec2(base));
+  uint sum = cell.x + 1u;
+  uvec2 rows = animated_tiles_hash(uvec2(cell.y, cell.y + 1u) + 2161170183u);
+  uvec4 bits = animated_tiles_hash(uvec4(cell.x, sum, cell.x, sum) + rows.xxyy) >> 8u;
+  vec4 corners = vec4(bits) * 5.9604645e-8;
+  float low = mix(corners.x, corners.y, fade.x);
+  float high = mix(corners.z, corners.w, fade.x);
+  vec2 width = sqrt(uv_dx * uv_dx + uv_dy * uv_dy) * vec2(5.3, 4.7);
+  float blur = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
+  return mix(mix(low, high, fade.y), 0.5, blur);
+}
+
 vec4 animated_tiles(vec2 uv) {
   vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
   // grid: virtual_tile_map (indirection/virtual_tile_map.glsl)
@@ -67,9 +99,17 @@ vec4 animated_tiles(vec2 uv) {
   float rest = mix(8.0, 48.0, luck.y);
   // picture: animation_map (indirection/animation_map.glsl)
   int picture = animated_tiles_animation_map(pictures, phase, rest, rate, old_rate, change_time);
-  // pond: reference_texture (indirection/reference_texture.glsl)
+  // water: reference_texture (indirection/reference_texture.glsl)
   vec3 vector = vec3(product - whole, float(picture));
   vec4 texel = textureGrad(drops, vector, uv_dx * 12.0, uv_dy * 12.0);
-  vec4 pond = picture < 0 ? vec4(0.0) : texel;
+  vec4 water = picture < 0 ? vec4(0.0) : texel;
+  // depth: value_noise (patterns/value_noise.glsl)
+  float depth = animated_tiles_value_noise(uv, uv_dx, uv_dy);
+  // light: remap (math/remap.glsl)
+  float light = mix(0.88, 1.1, depth);
+  // tinted: multiply (math/multiply.glsl)
+  vec4 tinted = water * light;
+  // pond: rgba (channels/rgba.glsl)
+  vec4 pond = vec4(tinted.xyz, 1.0);
   return pond;
 }

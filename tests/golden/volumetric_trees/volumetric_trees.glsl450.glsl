@@ -3,17 +3,21 @@
 // sampled with derivatives, which neighbouring pixels have to compute together.
 
 // Parameters
-uniform vec2 view;  // default vec2(0.25, 0.55)
+uniform vec2 view;  // default vec2(0.2, 0.75)
 
 // Textures
-uniform sampler3D tree;
+uniform sampler3D trees;
 uniform sampler2DArray meadows;
 
 // Types
 struct volumetric_trees_Tile3 {
   vec3 local;
   vec3 size;
+  uint seed;
 };
+
+// Constants
+const int volumetric_trees_kinds[16] = int[16](0, 0, 0, 0, 1, 1, 2, -1, 1, 1, 1, 1, 2, 2, 0, -1);
 
 // cell_hash (indirection/cell_hash.glsl)
 uint volumetric_trees_cell_hash(ivec2 cell) {
@@ -25,9 +29,18 @@ uint volumetric_trees_cell_hash(ivec2 cell) {
   return v.x + v.y;
 }
 
+// hash (random/hash.glsl)
+uint volumetric_trees_hash(uint value) {
+  uint state = value * 747796405u + 2891336453u;
+  uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+  return (word >> 22u) ^ word;
+}
+
 // cell_hash (indirection/cell_hash.glsl)
-uint volumetric_trees_cell_hash(ivec3 cell) {
-  uvec3 v = uvec3(cell) * 1664525u + uvec3(129708002u, 817759070u, 2145236065u);
+uint volumetric_trees_cell_hash(ivec3 cell, int seed) {
+  uint first = volumetric_trees_hash(uint(seed));
+  uint second = volumetric_trees_hash(first);
+  uvec3 v = uvec3(cell) * 1664525u + uvec3(first, second, volumetric_trees_hash(second));
   uint sum = v.x + v.y * v.z;
   uint sum2 = v.y + v.z * sum;
   v = uvec3(sum, sum2, v.z + sum * sum2);
@@ -36,11 +49,17 @@ uint volumetric_trees_cell_hash(ivec3 cell) {
   return v.z + sum3 * (v.y + v.z * sum3);
 }
 
-// hash (random/hash.glsl)
-uint volumetric_trees_hash(uint value) {
-  uint state = value * 747796405u + 2891336453u;
-  uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
-  return (word >> 22u) ^ word;
+// virtual_tile_map (indirection/virtual_tile_map.glsl)
+void volumetric_trees_virtual_tile_map(vec3 uv, ivec3 cells, int seed, vec3 uv_dx, vec3 uv_dy,
+    out volumetric_trees_Tile3 tile, out vec3 tile_local_dx, out vec3 tile_local_dy) {
+  ivec3 count = max(cells, 1);
+  vec3 p_slope = vec3(count);
+  vec3 p = uv * p_slope;
+  vec3 corner = floor(p);
+  ivec3 cell = ivec3(corner);
+  tile = volumetric_trees_Tile3(p - corner, 1.0 / p_slope, volumetric_trees_cell_hash(cell, seed));
+  tile_local_dx = uv_dx * p_slope;
+  tile_local_dy = uv_dy * p_slope;
 }
 
 // four_numbers, of virtual_random_map (indirection/virtual_random_map.glsl)
@@ -104,29 +123,46 @@ void volumetric_trees_tile_transform(volumetric_trees_Tile3 tile, vec3 position,
   vec2 tiles = sqrt(sum2);
   float away = clamp(2.0 * max(tiles.x, tiles.y) - 1.0, 0.0, 1.0);
   coverage2 = mix(coverage2, size * size * slice, away);
-  inner = volumetric_trees_Tile3(vec3(q, height), size * tile.size);
+  inner = volumetric_trees_Tile3(vec3(q, height), size * tile.size, tile.seed);
   coverage = scale > 0.0 ? coverage2 : 0.0;
   inner_local_dx = vec3(q_dx, height_dx);
   inner_local_dy = vec3(q_dy, height_dy);
 }
 
-// forest (function of the graph)
-vec4 volumetric_trees_forest(vec3 position, vec3 position_dx, vec3 position_dy) {
+// reference_texture (indirection/reference_texture.glsl)
+vec4 volumetric_trees_reference_texture(sampler3D patterns, volumetric_trees_Tile3 tile,
+    int pattern, vec3 tile_local_dx, vec3 tile_local_dy) {
+  ivec3 texels = textureSize(patterns, 0) / ivec3(1, 1, 3);
+  vec3 vector = vec3(texels);
+  vec3 right = tile_local_dx * vector;
+  vec3 up = tile_local_dy * vector;
+  float greatest = max(0.5 * log2(max(max(dot(right, right), dot(up, up)), 1e-12)), 0.0);
+  float level = min(greatest, log2(float(texels.z & -texels.z)));
+  float border = min(0.5 * exp2(ceil(level)) / float(texels.z), 0.5);
+  int which = clamp(pattern, 0, 2);
+  float depth = float(which) + clamp(tile.local.z, border, 1.0 - border);
+  vec3 place = vec3(tile.local.xy, depth / 3.0);
+  vec4 color = textureLod(patterns, place, level);
+  return pattern < 0 ? vec4(0.0) : color;
+}
+
+// stand (function of the graph)
+vec4 volumetric_trees_stand_first(vec3 position, vec3 position_dx, vec3 position_dy) {
   // grid: virtual_tile_map (indirection/virtual_tile_map.glsl)
-  vec3 product = position * vec3(11.0, 11.0, 1.0);
-  vec3 whole = floor(product);
-  volumetric_trees_Tile3 grid = volumetric_trees_Tile3(product - whole,
-      vec3(0.09090909, 0.09090909, 1.0));
-  vec3 grid_local_dx = position_dx * vec3(11.0, 11.0, 1.0);
-  vec3 grid_local_dy = position_dy * vec3(11.0, 11.0, 1.0);
+  volumetric_trees_Tile3 grid;
+  vec3 grid_local_dx, grid_local_dy;
+  volumetric_trees_virtual_tile_map(position, ivec3(13, 13, 1), 1, position_dx, position_dy, grid,
+      grid_local_dx, grid_local_dy);
+  // kind: materials_map (indirection/materials_map.glsl)
+  int kind = volumetric_trees_kinds[int(grid.seed >> 29u)];
   // luck: virtual_random_map (indirection/virtual_random_map.glsl)
-  vec4 luck = volumetric_trees_four_numbers(volumetric_trees_cell_hash(ivec3(whole)));
+  vec4 luck = volumetric_trees_four_numbers(grid.seed + 1u);
   // ground: combine3 (channels/combine3.glsl)
   vec3 ground = vec3(luck.xy, 0.0);
   // size: remap (math/remap.glsl)
-  float size = mix(0.45, 0.8, luck.z);
-  // angle: multiply (math/multiply.glsl)
-  float angle = luck.w * 360.0;
+  float size = mix(0.65, 0.95, luck.z);
+  // angle: remap (math/remap.glsl)
+  float angle = mix(-25.0, 25.0, luck.w);
   // place: tile_transform (indirection/tile_transform.glsl)
   volumetric_trees_Tile3 place_inner;
   float place_coverage;
@@ -134,7 +170,39 @@ vec4 volumetric_trees_forest(vec3 position, vec3 position_dx, vec3 position_dy) 
   volumetric_trees_tile_transform(grid, ground, size, angle, grid_local_dx, grid_local_dy,
       place_inner, place_coverage, place_inner_local_dx, place_inner_local_dy);
   // painted: reference_texture (indirection/reference_texture.glsl)
-  vec4 painted = textureGrad(tree, place_inner.local, place_inner_local_dx, place_inner_local_dy);
+  vec4 painted = volumetric_trees_reference_texture(trees, place_inner, kind, place_inner_local_dx,
+      place_inner_local_dy);
+  // seen: apply_mask (layers/apply_mask.glsl)
+  vec4 seen = vec4(painted.xyz, painted.w * place_coverage);
+  return seen;
+}
+
+// stand (function of the graph)
+vec4 volumetric_trees_stand_second(vec3 position, vec3 position_dx, vec3 position_dy) {
+  // grid: virtual_tile_map (indirection/virtual_tile_map.glsl)
+  volumetric_trees_Tile3 grid;
+  vec3 grid_local_dx, grid_local_dy;
+  volumetric_trees_virtual_tile_map(position, ivec3(18, 17, 1), 2, position_dx, position_dy, grid,
+      grid_local_dx, grid_local_dy);
+  // kind: materials_map (indirection/materials_map.glsl)
+  int kind = volumetric_trees_kinds[8 + int(grid.seed >> 29u)];
+  // luck: virtual_random_map (indirection/virtual_random_map.glsl)
+  vec4 luck = volumetric_trees_four_numbers(grid.seed + 1u);
+  // ground: combine3 (channels/combine3.glsl)
+  vec3 ground = vec3(luck.xy, 0.0);
+  // size: remap (math/remap.glsl)
+  float size = mix(0.65, 0.95, luck.z);
+  // angle: remap (math/remap.glsl)
+  float angle = mix(-25.0, 25.0, luck.w);
+  // place: tile_transform (indirection/tile_transform.glsl)
+  volumetric_trees_Tile3 place_inner;
+  float place_coverage;
+  vec3 place_inner_local_dx, place_inner_local_dy;
+  volumetric_trees_tile_transform(grid, ground, size, angle, grid_local_dx, grid_local_dy,
+      place_inner, place_coverage, place_inner_local_dx, place_inner_local_dy);
+  // painted: reference_texture (indirection/reference_texture.glsl)
+  vec4 painted = volumetric_trees_reference_texture(trees, place_inner, kind, place_inner_local_dx,
+      place_inner_local_dy);
   // seen: apply_mask (layers/apply_mask.glsl)
   vec4 seen = vec4(painted.xyz, painted.w * place_coverage);
   return seen;
@@ -146,10 +214,16 @@ vec4 volumetric_trees_volume_slices(vec2 uv, vec2 view, vec2 uv_dx, vec2 uv_dy) 
   for (int i = 63; i > -1; --i) {
     if (sum.w < 0.999) {
       float level = (float(i) + 0.5) * 0.015625;
-      vec3 vector = vec3(uv - view * (0.14 * level), level);
-      vec4 slice = volumetric_trees_forest(vector, vec3(uv_dx, 0.0), vec3(uv_dy, 0.0));
-      float below = slice.w * (1.0 - sum.w);
-      sum += vec4(slice.xyz * below, below);
+      vec3 vector = vec3(uv - view * (0.13 * level), level);
+      vec3 vector2 = vec3(uv_dx, 0.0);
+      vec3 vector3 = vec3(uv_dy, 0.0);
+      vec4 stand_first_value = volumetric_trees_stand_first(vector, vector2, vector3);
+      vec4 stand_second_value = volumetric_trees_stand_second(vector, vector2, vector3);
+      float blend = mix(stand_second_value.w, 1.0, stand_first_value.w);
+      vec3 blend2 = mix(stand_second_value.xyz, stand_first_value.xyz,
+          stand_first_value.w / max(blend, 1e-20));
+      float below = blend * (1.0 - sum.w);
+      sum += vec4(blend2 * below, below);
     }
   }
   return vec4(sum.xyz / max(sum.w, 1e-20), sum.w);
@@ -158,17 +232,33 @@ vec4 volumetric_trees_volume_slices(vec2 uv, vec2 view, vec2 uv_dx, vec2 uv_dy) 
 vec4 volumetric_trees(vec2 uv) {
   vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
   // grass_cells: virtual_tile_map (indirection/virtual_tile_map.glsl)
-  vec2 product = uv * 6.0;
+  vec2 product = uv * 16.0;
   vec2 whole = floor(product);
   // grass_pattern: virtual_indirection_map (indirection/virtual_indirection_map.glsl)
   int grass_pattern = int(volumetric_trees_cell_hash(ivec2(whole)) >> 28u);
   // grass: reference_texture (indirection/reference_texture.glsl)
   vec3 vector = vec3(product - whole, float(grass_pattern));
-  vec4 grass = textureGrad(meadows, vector, uv_dx * 6.0, uv_dy * 6.0);
-  // trees: volume_slices (indirection/volume_slices.glsl)
-  vec4 trees = volumetric_trees_volume_slices(uv, view, uv_dx, uv_dy);
+  vec4 grass = textureGrad(meadows, vector, uv_dx * 16.0, uv_dy * 16.0);
+  // towards_x: add (math/add.glsl)
+  float towards_x = uv.x - 0.03;
+  // towards_y: add (math/add.glsl)
+  float towards_y = uv.y - 0.02;
+  // towards: combine3 (channels/combine3.glsl)
+  vec3 towards = vec3(towards_x, towards_y, 0.36);
+  vec3 towards_dx = vec3(uv_dx, 0.0);
+  vec3 towards_dy = vec3(uv_dy, 0.0);
+  // crowns: forest (function of the graph)
+  float value = volumetric_trees_stand_second(towards, towards_dx, towards_dy).w;
+  float shade = mix(value, 1.0, volumetric_trees_stand_first(towards, towards_dx, towards_dy).w);
+  // dark: multiply (math/multiply.glsl)
+  float dark = shade * 0.85;
+  // soil: over (layers/over.glsl)
+  float blend = mix(grass.w, 1.0, dark);
+  vec3 blend2 = mix(grass.xyz, vec3(0.006, 0.01, 0.006), dark / max(blend, 1e-20));
+  // trees_seen: volume_slices (indirection/volume_slices.glsl)
+  vec4 trees_seen = volumetric_trees_volume_slices(uv, view, uv_dx, uv_dy);
   // land: over (layers/over.glsl)
-  float blend = mix(grass.w, 1.0, trees.w);
-  vec4 land = vec4(mix(grass.xyz, trees.xyz, trees.w / max(blend, 1e-20)), blend);
+  float blend3 = mix(blend, 1.0, trees_seen.w);
+  vec4 land = vec4(mix(blend2, trees_seen.xyz, trees_seen.w / max(blend3, 1e-20)), blend3);
   return land;
 }

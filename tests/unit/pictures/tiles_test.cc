@@ -179,6 +179,29 @@ TEST(TilesTest, MeansOfOneMeadowAreAlike) {
   }
 }
 
+// What all tiles have near their edges is as bright as what is inside: no lattice shows from afar.
+TEST(TilesTest, MeadowsHaveNoMargin) {
+  const Sheet sheet = ReadSheet("aperiodic_tiling/ground.png", 4, 4);
+  ASSERT_EQ(sheet.count, 16u);
+  constexpr uint32_t kMargin = 8;
+  for (bool across : {true, false}) {
+    double sums[2] = {0, 0};
+    for (uint32_t tile = 0; tile < sheet.count; ++tile) {
+      for (uint32_t y = 0; y < kSide; ++y) {
+        for (uint32_t x = 0; x < kSide; ++x) {
+          const uint32_t place = across ? x : y;
+          const bool is_inside = place >= kMargin && place < kSide - kMargin;
+          const double green = sheet.At(tile, x, y, 1) / 255.0;
+          sums[is_inside] += green * green;
+        }
+      }
+    }
+    const double margin = sums[0] / (2 * kMargin);
+    const double inside = sums[1] / (kSide - 2 * kMargin);
+    EXPECT_NEAR(margin / inside, 1, 0.04) << across;
+  }
+}
+
 // The rows of the landscape are its materials.
 TEST(TilesTest, MaterialsDifferModerately) {
   const Sheet sheet = ReadSheet("landscape/ground.png", 4, 4);
