@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compiler/compile.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
+
+#include <algorithm>
 
 #include "compiler/base/files.h"
 #include "compiler/blocks/block.h"
@@ -24,13 +24,15 @@ namespace texgraph {
 namespace {
 
 // The pictures that the manifest names instead of their sources. False if one cannot be made.
-bool PreparePictures(const graph::Graph& graph, const std::vector<bool>& used, const std::string& folder,
-                     const Roots& roots, Compiled& compiled, Diagnostics& diagnostics) {
+bool PreparePictures(const graph::Graph& graph, const std::vector<bool>& used,
+                     const std::string& folder, const Roots& roots, Compiled& compiled,
+                     Diagnostics& diagnostics) {
   for (uint32_t t = 0; t < graph.textures.size(); ++t) {
     const graph::Texture& texture = graph.textures[t];
     if (!used[t] || !texture.IsPrepared() || graph::FirstEqualTexture(graph, t) != t) continue;
     for (size_t layer = 0; layer < texture.files.size(); ++layer) {
-      auto picture = textures::ReadPicture(manifest::PictureOf(texture, layer, folder), diagnostics, roots);
+      auto picture =
+          textures::ReadPicture(manifest::PictureOf(texture, layer, folder), diagnostics, roots);
       if (!picture) return false;
       std::optional<std::string> png = textures::EncodePng(*picture);
       if (!png) {
@@ -44,9 +46,11 @@ bool PreparePictures(const graph::Graph& graph, const std::vector<bool>& used, c
   return true;
 }
 
-// Everything that is made beside the shader, and the manifest that names it. False if something cannot be made.
-bool MakeTextures(const Lowered& lowered, const glsl::ShaderInterface& interface, const CompileOptions& options,
-                  const std::string& folder, Compiled& compiled, Diagnostics& diagnostics) {
+// Everything that is made beside the shader, and the manifest that names it. False if something
+// cannot be made.
+bool MakeTextures(const Lowered& lowered, const glsl::ShaderInterface& interface,
+                  const CompileOptions& options, const std::string& folder, Compiled& compiled,
+                  Diagnostics& diagnostics) {
   const graph::Graph& graph = *lowered.graph;
   std::vector<manifest::DerivedTexture> derived;
   if (options.prepare_files || options.derive_textures) {
@@ -55,14 +59,18 @@ bool MakeTextures(const Lowered& lowered, const glsl::ShaderInterface& interface
     auto made = manifest::DeriveTextures(graph, used, folder, roots, diagnostics);
     if (!made) return false;
     derived = std::move(*made);
-    if (options.prepare_files && !PreparePictures(graph, used, folder, roots, compiled, diagnostics)) return false;
+    if (options.prepare_files &&
+        !PreparePictures(graph, used, folder, roots, compiled, diagnostics))
+      return false;
   }
   for (const manifest::DerivedTexture& texture : derived) {
     const std::string name = manifest::DerivedName(graph, texture.texture);
-    if (options.prepare_files) compiled.files.push_back({name, textures::EncodeKtx2(*texture.data)});
+    if (options.prepare_files)
+      compiled.files.push_back({name, textures::EncodeKtx2(*texture.data)});
     if (options.derive_textures) compiled.textures.push_back({name, texture.data});
   }
-  compiled.manifest = manifest::PrintManifest(*lowered.checked, *lowered.module, interface, options, folder, derived);
+  compiled.manifest = manifest::PrintManifest(*lowered.checked, *lowered.module, interface, options,
+                                              folder, derived);
   return true;
 }
 
@@ -86,14 +94,15 @@ bool IsWellFormed(const ir::Module& module, SourceRange where, Diagnostics& diag
   std::string violation = ir::Verify(module);
   if (violation.empty()) return true;
   diagnostics.Error(DiagnosticKind::kInternal, where,
-                    fmt::format("the passes made a wrong module: {}; please report this", Printable(violation, 300)));
+                    fmt::format("the passes made a wrong module: {}; please report this",
+                                Printable(violation, 300)));
   return false;
 }
 
 // A function as somebody would paste it, as a whole shader.
 std::string Pasted(const std::string& function, glsl::Dialect dialect) {
-  return fmt::format("#version {}\n{}\nvoid main() {{}}\n", dialect == glsl::Dialect::k330 ? "330" : "450 core",
-                     function);
+  return fmt::format("#version {}\n{}\nvoid main() {{}}\n",
+                     dialect == glsl::Dialect::k330 ? "330" : "450 core", function);
 }
 
 // Appends the module's text to the dump if it was asked for.
@@ -121,29 +130,34 @@ Lowered::Lowered(Lowered&&) = default;
 Lowered& Lowered::operator=(Lowered&&) = default;
 Lowered::~Lowered() = default;
 
-std::optional<Lowered> Lower(SourceId source, graph::DocumentFormat format, const CompileOptions& options,
-                             Sources& sources, Diagnostics& diagnostics) {
+std::optional<Lowered> Lower(SourceId source, graph::DocumentFormat format,
+                             const CompileOptions& options, Sources& sources,
+                             Diagnostics& diagnostics) {
   Lowered lowered;
   ir::Module& module = *lowered.module;
   Dumper dump(options, module, lowered.dump);
-  std::vector<graph::Setting> settings = graph::ReadSettings(options.settings, sources, diagnostics);
+  std::vector<graph::Setting> settings =
+      graph::ReadSettings(options.settings, sources, diagnostics);
   auto read = graph::ReadGraph(source, format, sources, diagnostics);
   if (!read) return std::nullopt;
   lowered.graph = std::make_unique<graph::Graph>(std::move(*read));
-  lowered.library = std::make_unique<blocks::Library>(module, sources, diagnostics, options.block_folders,
-                                                      options.optimize);
+  lowered.library = std::make_unique<blocks::Library>(module, sources, diagnostics,
+                                                      options.block_folders, options.optimize);
   auto checked = graph::CheckGraph(*lowered.graph, settings, *lowered.library, module, diagnostics);
-  manifest::CheckTextures(*lowered.graph, std::string(FolderOf(sources.Name(source))), options.roots, diagnostics);
+  manifest::CheckTextures(*lowered.graph, std::string(FolderOf(sources.Name(source))),
+                          options.roots, diagnostics);
   if (checked) CheckMapMultiples(*checked, module, diagnostics);
   if (checked) CheckPatternRanges(*checked, module, diagnostics);
   if (!checked || diagnostics.HasErrors()) return std::nullopt;
   lowered.checked = std::make_unique<graph::CheckedGraph>(std::move(*checked));
 
-  if (!passes::BuildModule(*lowered.checked, *lowered.library, module, options.optimize, diagnostics)) {
+  if (!passes::BuildModule(*lowered.checked, *lowered.library, module, options.optimize,
+                           diagnostics)) {
     return std::nullopt;
   }
   dump.After("build");
-  if (!passes::Specialize(module, options.optimize, lowered.graph->range, diagnostics)) return std::nullopt;
+  if (!passes::Specialize(module, options.optimize, lowered.graph->range, diagnostics))
+    return std::nullopt;
   dump.After("specialize");
   if (options.optimize) passes::Simplify(module);
   dump.After("simplify");
@@ -155,10 +169,12 @@ std::optional<Lowered> Lower(SourceId source, graph::DocumentFormat format, cons
   return lowered;
 }
 
-std::optional<Compiled> Compile(SourceId source, graph::DocumentFormat format, const CompileOptions& options,
-                                Sources& sources, Diagnostics& diagnostics) {
+std::optional<Compiled> Compile(SourceId source, graph::DocumentFormat format,
+                                const CompileOptions& options, Sources& sources,
+                                Diagnostics& diagnostics) {
   std::optional<Lowered> lowered = Lower(source, format, options, sources, diagnostics);
-  if (!lowered || !IsWellFormed(*lowered->module, lowered->graph->range, diagnostics)) return std::nullopt;
+  if (!lowered || !IsWellFormed(*lowered->module, lowered->graph->range, diagnostics))
+    return std::nullopt;
   Compiled compiled;
   compiled.name = lowered->graph->name;
   compiled.dump = std::move(lowered->dump);
@@ -176,12 +192,14 @@ std::optional<Compiled> Compile(SourceId source, graph::DocumentFormat format, c
     compiled.spirv = std::move(*words);
   }
   if (options.validate && options.target != Target::kSpirv &&
-      !spirv::ValidateGlsl(print.as_function ? Pasted(compiled.glsl, print.dialect) : compiled.glsl, diagnostics)) {
+      !spirv::ValidateGlsl(print.as_function ? Pasted(compiled.glsl, print.dialect) : compiled.glsl,
+                           diagnostics)) {
     return std::nullopt;
   }
   const std::string folder(FolderOf(sources.Name(source)));
   compiled.dependencies = Dependencies(*lowered, folder);
-  if (!MakeTextures(*lowered, interface, options, folder, compiled, diagnostics)) return std::nullopt;
+  if (!MakeTextures(*lowered, interface, options, folder, compiled, diagnostics))
+    return std::nullopt;
   return compiled;
 }
 

@@ -81,7 +81,7 @@ struct SpriteMap {
 inline constexpr size_t kMaxConstantNumbers = 4096;
 inline constexpr uint32_t kMaxMapSide = 16384;
 inline constexpr uint64_t kMaxMapNumbers = uint64_t{1} << 26;
-inline constexpr uint64_t kMaxSpriteTexels = uint64_t{1} << 24;  // of 16 bytes
+inline constexpr uint64_t kMaxSpriteTexels = uint64_t{1} << 22;  // of 16 bytes
 inline constexpr uint32_t kMaxSpriteLayers = 64;
 inline constexpr uint32_t kMaxGridSide = 1024;
 inline constexpr double kMaxWeight = 1e9;

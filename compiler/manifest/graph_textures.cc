@@ -14,6 +14,10 @@
 namespace texgraph::manifest {
 namespace {
 
+// A graph that was checked can be written.
+static_assert(graph::kMaxSpriteTexels == textures::kMaxSpriteTexels &&
+              graph::kMaxSpriteLayers == textures::kMaxSpriteLayers);
+
 using graph::TextureKind;
 using textures::TextureData;
 

@@ -250,5 +250,18 @@ TEST(ReadTextures, ConstantsHaveALimit) {
   EXPECT_EQ(over.diagnostics.exit_code(), ExitCode::kLimit);
 }
 
+// 4,194,304 cells in all layers: what is let through here can be written.
+TEST(ReadTextures, SpritesHaveALimit) {
+  const auto read = [](const std::string& cells) {
+    return ReadSection(R"({ "s": { "sprites": [{ "pattern": 0, "at": [1, 1] }], "cells": )" +
+                       cells + " } }");
+  };
+  EXPECT_TRUE(read("[2048, 2048]").graph);
+  EXPECT_TRUE(read(R"([512, 128], "layers": 64)").graph);
+  for (const char* over : {"[2049, 2048]", "[4096, 4096]", R"([512, 129], "layers": 64)"}) {
+    EXPECT_THAT(read(over).diagnostics.exit_code(), ExitCode::kLimit) << over;
+  }
+}
+
 }  // namespace
 }  // namespace texgraph::graph
