@@ -137,6 +137,7 @@ struct Global {
   TypeId type;
   ConstId value;          // the default of uniforms and specialisation constants
   bool is_smooth = true;  // textures: filtered linearly, so that what is sampled is continuous
+  bool repeats = false;   // textures: in every direction, so that whole numbers may be added
   std::optional<MapFacts> map = std::nullopt;  // textures
 };
 

@@ -112,6 +112,7 @@ bool ModuleParser::ParseGlobal(GlobalKind kind) {
     global.is_smooth = false;
     reader_.Expect("smooth");
   }
+  global.repeats = reader_.Accept("repeats");
   if (reader_.Accept("map")) global.map = ParseMap();
   if (reader_.Accept("=")) global.value = reader_.ReadConstant();
   if (!reader_.ok()) return false;

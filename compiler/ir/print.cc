@@ -244,6 +244,7 @@ void PrintGlobal(const Module& module, const Global& global, std::string& out) {
   out += kKinds[static_cast<size_t>(global.kind)];
   out += " " + NameText(global.name) + ": " + module.types.Text(global.type);
   if (!global.is_smooth) out += " not smooth";
+  if (global.repeats) out += " repeats";
   if (global.map) PrintMap(*global.map, out);
   if (global.value) out += " = " + Literal(module, global.value);
   out += "\n";

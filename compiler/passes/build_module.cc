@@ -482,6 +482,8 @@ void Program::DeclareGlobals() {
                                      graph::SamplerType(texture),
                                      {},
                                      texture.filter == graph::TextureFilter::kLinear,
+                                     texture.wrap_u == graph::TextureWrap::kRepeat &&
+                                         texture.wrap_v == graph::TextureWrap::kRepeat,
                                      FactsOf(texture)});
   }
 }

@@ -34,12 +34,29 @@ uint32_t NamedDerivatives(Op op) {
   return kNamed[static_cast<size_t>(op)];
 }
 
+// The layer of an array has no part in the footprint: it may jump.
+Continuity StateOfCoordinate(const ir::Function& function, const FunctionContinuity& continuity,
+                             ValueId sample) {
+  const ValueId sampler = function.Operands(sample)[0], coordinate = function.Operands(sample)[1];
+  auto state_of = [&](ValueId v) { return continuity.states[continuity.first[v.index]]; };
+  const ir::Inst& parts = function[coordinate];
+  if (function[sampler].type != ir::kSampler2DArray || parts.op != Op::kConstruct) {
+    return state_of(coordinate);
+  }
+  Continuity state = Continuity::kUniform;
+  uint32_t width = 0;
+  for (ValueId part : function.Operands(parts)) {
+    if (width < 2) state = Join(state, state_of(part));
+    width += ir::Width(function[part].type);
+  }
+  return state;
+}
+
 }  // namespace
 
 SampleMode ModeOfSample(const ir::Function& function, const FunctionContinuity& continuity,
                         ValueId sample) {
-  ValueId coordinate = function.Operands(sample)[1];
-  Continuity state = continuity.states[continuity.first[coordinate.index]];
+  const Continuity state = StateOfCoordinate(function, continuity, sample);
   bool continuous = state == Continuity::kPlain || state == Continuity::kUniform;
   if (continuous && continuity.uniform_flow[sample.index]) return SampleMode::kImplicit;
   return HasDerivative(state) ? SampleMode::kGradient : SampleMode::kBase;

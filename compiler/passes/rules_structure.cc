@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
+#include <utility>
 #include <vector>
 
 #include "compiler/ir/evaluate_op.h"
 #include "compiler/passes/rules.h"
+#include "compiler/passes/simplify_range.h"
 
 namespace texgraph::passes {
 namespace {
@@ -174,6 +177,59 @@ ValueId IndexOfSplat(Builder& builder, Op op, TypeId type, Operands operands) {
   return builder.function().Operands(inst)[0];
 }
 
+// Beyond so many repeats of a texture in a unit of the coordinate, samplers that count in fixed
+// point may run out of bits.
+constexpr float kMostRepeats = 1024;
+
+// x * c for x * c - floor(y), where c is no more than kMostRepeats, and for a component of it: what
+// a texture that repeats shows at both is the same. Else nothing.
+ValueId BeforeWholePart(Builder& builder, ValueId value) {
+  const ir::Inst inst = builder[value];
+  std::span<const ValueId> x = std::as_const(builder).function().Operands(inst);
+  if (inst.op == Op::kExtract && ir::IsVector(builder.TypeOf(x[0]))) {
+    const ValueId vector = BeforeWholePart(builder, x[0]);
+    return vector ? builder.Extract(vector, inst.aux) : ValueId();
+  }
+  if (inst.op != Op::kSub || !IsIntegral(builder, x[1]) || builder[x[0]].op != Op::kMul) {
+    return ValueId();
+  }
+  for (ValueId factor : builder.function().Operands(x[0])) {
+    if (builder[factor].op != Op::kConst) continue;
+    std::span<const uint32_t> words = builder.ConstWords(factor);
+    const bool is_small = std::ranges::all_of(
+        words, [](uint32_t word) { return std::abs(std::bit_cast<float>(word)) <= kMostRepeats; });
+    if (is_small) return x[0];
+  }
+  return ValueId();
+}
+
+// texture(s, x - floor(x)) = texture(s, x) if s repeats. The coordinate no longer jumps, so that
+// the sampler can take its footprint from the pixels beside this one.
+ValueId RepeatedCoordinate(Builder& builder, Op op, TypeId type, Operands operands) {
+  if (op != Op::kSample || builder[operands[0]].op != Op::kGlobal ||
+      !builder.module().globals[builder[operands[0]].aux].repeats) {
+    return ValueId();
+  }
+  // The layer of an array comes last, and is no repeat.
+  const bool is_array = builder.TypeOf(operands[0]) == ir::kSampler2DArray;
+  const ValueId coordinate = operands[1];
+  ValueId simpler = is_array ? ValueId() : BeforeWholePart(builder, coordinate);
+  if (!simpler && builder[coordinate].op == Op::kConstruct) {
+    std::span<const ValueId> held = builder.function().Operands(coordinate);
+    std::vector<ValueId> parts(held.begin(), held.end());
+    const size_t end = parts.size() - (is_array ? 1 : 0);
+    for (size_t i = 0; i < end; ++i) {
+      parts[i] = BeforeWholePart(builder, parts[i]);
+      if (!parts[i]) return ValueId();
+    }
+    simpler = builder.Construct(builder.TypeOf(coordinate), parts);
+  }
+  if (!simpler) return ValueId();
+  std::vector<ValueId> simplified(operands.begin(), operands.end());
+  simplified[1] = simpler;
+  return builder.Emit(op, type, simplified);
+}
+
 constexpr CodeRule kStructureRules[] = {
     {"lift_splats", kExact, LiftSplats},
     {"fold_choices", kExact, FoldChoices},
@@ -181,6 +237,7 @@ constexpr CodeRule kStructureRules[] = {
     {"matmul_by_identity", kFinite | kUnsignedZero, MatMulByIdentity},
     {"index_by_constant", kExact, IndexByConstant},
     {"index_of_splat", kExact, IndexOfSplat},
+    {"repeated_coordinate", kFinite | kRounding, RepeatedCoordinate},
 };
 
 }  // namespace

@@ -414,8 +414,10 @@ bool Specializer::Binds(FunctionId callee, size_t parameter, ConstId value) cons
   ir::TypeId type = module_.constant(value).type;
   if (dividing_[callee.index][parameter] && IsPowerOfTwo(value)) return true;
   if (ir::IsBool(type)) return true;
-  // A cell that is no other than this one makes fields plain values.
-  if (!ir::IsFloat(type) && type != ir::kIvec2) return false;
+  // A cell that is no other than this one makes fields plain values; how many cells there are, and
+  // which of those around, makes most of a grid known.
+  if (type == ir::kIvec2) return true;
+  if (!ir::IsFloat(type)) return false;
   // All zeros or all ones: terms vanish.
   std::span<const uint32_t> words = module_.Words(value);
   uint32_t first = words[0] & 0x7fffffffu;

@@ -199,8 +199,7 @@ void ReportPatterns(const std::vector<PatternEntry>& entries, Report& report) {
       "To plain: the fastest frame of 1024 x 1024 that shows 16 x 16 patterns, to that of one "
       "trilinear look-up in the same patterns.");
   report.Line(
-      "Over sizes: the slowest of virtual textures of 2^8, 2^14 and 2^20 cells a side to the "
-      "fastest.\n");
+      "Over sizes: the slowest of virtual textures of 2^8, 2^14 and 2^20 cells to the fastest.\n");
   report.Line(
       "| graph | look-ups | promised | paper | instructions | promised | paper | to plain | "
       "promised "

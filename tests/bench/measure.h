@@ -52,8 +52,7 @@ struct PatternEntry {
   int computing = 0, most_computing = 0, paper_instructions = 0;  // see spirv_weight.h
   // To one plain trilinear look-up in the same patterns, at the same size on the screen.
   double to_plain = 0, most_to_plain = 0;  // 0: nothing is promised
-  // The slowest to the fastest of 2^8, 2^14 and 2^20 cells in each direction, of equal size on the
-  // screen.
+  // The slowest to the fastest of 2^8, 2^14 and 2^20 cells, of equal size on the screen.
   double over_sizes = 0;
   std::string error;
 };

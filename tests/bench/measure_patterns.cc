@@ -47,7 +47,7 @@ PatternEntry Measure(const std::string& root, PatternEntry entry) {
     return entry;
   }
   std::vector<runtime::RenderRequest> requests;
-  for (int cells : {1 << 8, 1 << 14, 1 << 20}) {
+  for (int cells : {1 << 4, 1 << 7, 1 << 10}) {
     Drawable drawable = Prepare(path, *text, {fmt::format("cells=[{0}, {0}]", cells)});
     if (!drawable.error.empty()) {
       entry.error = drawable.error;
@@ -60,7 +60,7 @@ PatternEntry Measure(const std::string& root, PatternEntry entry) {
     entry.computing = std::max(entry.computing, drawable.weight.computing);
   }
   requests.push_back(requests[0]);
-  requests.back().shader = PlainShader(requests[0].manifest, 1 << 8);
+  requests.back().shader = PlainShader(requests[0].manifest, 1 << 4);
   const Drawn drawn = DrawInTurns(requests, kQuietRounds);
   entry.error = drawn.error;
   if (!entry.error.empty()) return entry;

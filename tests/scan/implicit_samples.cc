@@ -232,6 +232,31 @@ std::vector<uint32_t> Deciding(const Shader& shader, const Instruction& step) {
   return IdsOf(shader, step);
 }
 
+bool IsOfArray(const Shader& shader, const Instruction& sample) {
+  const uint32_t type = shader.instructions[shader.by_result.at(sample.operands[0])].type;
+  const auto sampled = shader.by_result.find(type);
+  if (sampled == shader.by_result.end() ||
+      shader.instructions[sampled->second].op != spv::Op::OpTypeSampledImage) {
+    return false;
+  }
+  // What is sampled, the dimension, depth, arrayed.
+  const auto image = shader.by_result.find(shader.instructions[sampled->second].operands[0]);
+  return image != shader.by_result.end() && shader.instructions[image->second].operands[3] == 1;
+}
+
+// What the footprint of a sample is computed from: of an array all but the layer, which comes last.
+std::set<uint32_t> SliceOfPlace(const Shader& shader, const Instruction& sample) {
+  const Instruction& coordinate = shader.instructions[shader.by_result.at(sample.operands[1])];
+  if (coordinate.op != spv::Op::OpCompositeConstruct || !IsOfArray(shader, sample)) {
+    return SliceOf(shader, sample.operands[1]);
+  }
+  std::set<uint32_t> slice;
+  for (size_t i = 0; i + 1 < coordinate.operands.size(); ++i) {
+    slice.merge(SliceOf(shader, coordinate.operands[i]));
+  }
+  return slice;
+}
+
 std::string Describe(const Shader& shader, const Instruction& sample) {
   for (uint32_t id : SliceOf(shader, sample.operands[0])) {
     auto name = shader.names.find(id);
@@ -254,7 +279,7 @@ std::optional<ImplicitSamples> FindImplicitSamples(const std::vector<uint32_t>& 
     if (CanAvoid(shader, inst.block) || CanComeBack(shader, inst.block)) {
       found.mistakes.push_back(Describe(shader, inst) + " stands in a branch or a loop");
     }
-    for (uint32_t id : SliceOf(shader, inst.operands[1])) {
+    for (uint32_t id : SliceOfPlace(shader, inst)) {
       const Instruction& step = shader.instructions[shader.by_result.at(id)];
       if (!Jumps(step)) continue;
       bool varies = false;

@@ -40,6 +40,7 @@ ImplicitSamples ScanText(const std::string& body) {
       "layout(location = 0) in vec2 uv;\n"
       "layout(location = 0) uniform float amount;\n"
       "layout(binding = 0) uniform sampler2D picture;\n"
+      "layout(binding = 1) uniform sampler2DArray pictures;\n"
       "layout(location = 0) out vec4 color;\n" +
           body,
       diagnostics);
@@ -69,6 +70,12 @@ TEST(ImplicitSamplesTest, EveryExampleGraphIsRight) {
   }
   EXPECT_GT(scanned, 5);
   EXPECT_GT(samples, 4);
+}
+
+TEST(ImplicitSamplesTest, LayersMayJump) {
+  EXPECT_TRUE(ScanText("void main() { color = texture(pictures, vec3(uv, floor(uv.x))); }").mistakes.empty());
+  EXPECT_EQ(ScanText("void main() { color = texture(pictures, vec3(fract(uv), 1.0)); }").mistakes.size(), 1u);
+  EXPECT_EQ(ScanText("void main() { color = texture(pictures, vec3(uv.x, floor(uv.y), 1.0)); }").mistakes.size(), 1u);
 }
 
 TEST(ImplicitSamplesTest, PlainSamplesAreFine) {

@@ -88,9 +88,8 @@ vec4 animated_tiles(vec2 uv) {
   vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
   // grid: virtual_tile_map (indirection/virtual_tile_map.glsl)
   vec2 product = uv * 12.0;
-  vec2 whole = floor(product);
   // luck: virtual_random_map (indirection/virtual_random_map.glsl)
-  vec4 luck = animated_tiles_four_numbers(animated_tiles_cell_hash(ivec2(whole)));
+  vec4 luck = animated_tiles_four_numbers(animated_tiles_cell_hash(ivec2(floor(product))));
   // pictures: multiply (math/multiply.glsl)
   float pictures = time * 16.0;
   // phase: multiply (math/multiply.glsl)
@@ -100,8 +99,7 @@ vec4 animated_tiles(vec2 uv) {
   // picture: animation_map (indirection/animation_map.glsl)
   int picture = animated_tiles_animation_map(pictures, phase, rest, rate, old_rate, change_time);
   // water: reference_texture (indirection/reference_texture.glsl)
-  vec3 vector = vec3(product - whole, float(picture));
-  vec4 texel = textureGrad(drops, vector, uv_dx * 12.0, uv_dy * 12.0);
+  vec4 texel = texture(drops, vec3(product, float(picture)));
   vec4 water = picture < 0 ? vec4(0.0) : texel;
   // depth: value_noise (patterns/value_noise.glsl)
   float depth = animated_tiles_value_noise(uv, uv_dx, uv_dy);

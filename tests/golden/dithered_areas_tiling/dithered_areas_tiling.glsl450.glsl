@@ -63,8 +63,7 @@ vec4 dithered_areas_tiling(vec2 uv) {
   vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
   // grid: virtual_tile_map (indirection/virtual_tile_map.glsl)
   vec2 product = uv * 64.0;
-  vec2 whole = floor(product);
-  ivec2 numbers = ivec2(whole);
+  ivec2 numbers = ivec2(floor(product));
   uint cell_hash_value = dithered_areas_tiling_cell_hash(numbers);
   dithered_areas_tiling_Tile grid = dithered_areas_tiling_Tile(numbers, cell_hash_value);
   vec2 grid_local_dx = uv_dx * 64.0;
@@ -74,8 +73,8 @@ vec4 dithered_areas_tiling(vec2 uv) {
   // pattern: materials_map (indirection/materials_map.glsl)
   int pattern = dithered_areas_tiling_drawn(kind, cell_hash_value);
   // close: reference_texture (indirection/reference_texture.glsl)
-  vec3 vector = vec3(product - whole, float(pattern));
-  vec4 close = pattern < 0 ? vec4(0.0) : textureGrad(grounds, vector, grid_local_dx, grid_local_dy);
+  vec4 texel = texture(grounds, vec3(product, float(pattern)));
+  vec4 close = pattern < 0 ? vec4(0.0) : texel;
   // mean: image (images/image.glsl)
   vec4 mean = texture(far, uv);
   // near: tile_near (tiles/tile_near.glsl)

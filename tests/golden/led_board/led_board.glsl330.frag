@@ -15,13 +15,6 @@ uniform sampler2D message;
 // Outputs
 layout(location = 0) out vec4 out_color;
 
-// Types
-struct Tile {
-  ivec2 cell;
-  vec2 local;
-  uint seed;
-};
-
 // Constants
 const int patterns[8] = int[8](3, 4, 4, 4, 4, 4, 4, 3);
 
@@ -33,17 +26,6 @@ uint cell_hash(ivec2 cell) {
   v ^= v >> 16u;
   v *= uvec2(1664525u, 389569706u);
   return v.x + v.y;
-}
-
-// virtual_tile_map (indirection/virtual_tile_map.glsl)
-void virtual_tile_map(vec2 uv, vec2 uv_dx, vec2 uv_dy, out Tile tile, out vec2 tile_local_dx,
-    out vec2 tile_local_dy) {
-  vec2 p = uv * vec2(48.0, 9.0);
-  vec2 corner = floor(p);
-  ivec2 cell = ivec2(corner);
-  tile = Tile(cell, p - corner, cell_hash(cell));
-  tile_local_dx = uv_dx * vec2(48.0, 9.0);
-  tile_local_dy = uv_dy * vec2(48.0, 9.0);
 }
 
 // hash (random/hash.glsl)
@@ -60,15 +42,6 @@ vec4 four_numbers(uint seed) {
   float value = float(second >> 16u);
   vec4 vector = vec4(float(first & 65535u), float(first >> 16u), float(second & 65535u), value);
   return vector * 1.5258789e-5;
-}
-
-// virtual_tile_map (indirection/virtual_tile_map.glsl)
-Tile virtual_tile_map2(vec2 uv) {
-  vec2 p = uv * vec2(64.0, 9.0);
-  vec2 corner = floor(p);
-  ivec2 cell = ivec2(corner);
-  Tile tile = Tile(cell, p - corner, cell_hash(cell));
-  return tile;
 }
 
 // wrap_cell (tiles/wrap_cell.glsl)
@@ -91,13 +64,10 @@ int animation_sequence_flash(float time, float phase, float rest) {
 }
 
 void main() {
-  vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
   // board: virtual_tile_map (indirection/virtual_tile_map.glsl)
-  Tile board;
-  vec2 board_local_dx, board_local_dy;
-  virtual_tile_map(uv, uv_dx, uv_dy, board, board_local_dx, board_local_dy);
+  vec2 product = uv * vec2(48.0, 9.0);
   // luck: virtual_random_map (indirection/virtual_random_map.glsl)
-  vec4 luck = four_numbers(board.seed);
+  vec4 luck = four_numbers(cell_hash(ivec2(floor(product))));
   // pictures: multiply (math/multiply.glsl)
   float pictures = time * 16.0;
   // phase: multiply (math/multiply.glsl)
@@ -114,10 +84,9 @@ void main() {
   vec2 stretched = uv * vec2(0.75, 1.0);
   // scrolled: add (math/add.glsl)
   vec2 scrolled = stretched + offset;
-  // text: virtual_tile_map (indirection/virtual_tile_map.glsl)
-  Tile text = virtual_tile_map2(scrolled);
   // is_text: explicit_indirection_map (indirection/explicit_indirection_map.glsl)
-  int is_text = int(texelFetch(message, wrap_cell(text.cell), 0).x);
+  vec4 texel = texelFetch(message, wrap_cell(ivec2(floor(scrolled * vec2(64.0, 9.0)))), 0);
+  int is_text = int(texel.x);
   // glow_step: animation_sequence (indirection/animation_sequence.glsl)
   int glow_step = animation_sequence_glow_step(pictures, phase);
   // glow_number: to_float (channels/to_float.glsl)
@@ -133,10 +102,10 @@ void main() {
   // flash: animation_sequence (indirection/animation_sequence.glsl)
   int flash = animation_sequence_flash(pictures, phase, long_rest);
   // bright: reference_texture (indirection/reference_texture.glsl)
-  vec4 bright = textureGrad(lamps, vec3(board.local, float(glow)), board_local_dx, board_local_dy);
+  vec4 bright = texture(lamps, vec3(product, float(glow)));
   // dark: reference_texture (indirection/reference_texture.glsl)
-  vec4 texel = textureGrad(lamps, vec3(board.local, float(flash)), board_local_dx, board_local_dy);
-  vec4 dark = flash < 0 ? vec4(0.0) : texel;
+  vec4 texel2 = texture(lamps, vec3(product, float(flash)));
+  vec4 dark = flash < 0 ? vec4(0.0) : texel2;
   // share: to_float (channels/to_float.glsl)
   float share = float(is_text);
   // panel: lerp (math/lerp.glsl)

@@ -11,38 +11,16 @@ uniform sampler2DArray meadows;
 struct moving_sprites_Tile {
   ivec2 cell;
   vec2 local;
-  uint seed;
 };
 
-// hash (random/hash.glsl)
-uint moving_sprites_hash(uint value) {
-  uint state = value * 747796405u + 2891336453u;
-  uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
-  return (word >> 22u) ^ word;
-}
-
 // cell_hash (indirection/cell_hash.glsl)
-uint moving_sprites_cell_hash(ivec2 cell, int seed) {
-  uint first = moving_sprites_hash(uint(seed));
+uint moving_sprites_cell_hash(ivec2 cell) {
   uvec2 c = uvec2(cell);
   uvec2 v = c.x * uvec2(1664525u, 389569705u) + c.y * uvec2(389569705u, 2942464162u)
-      + uvec2(first, moving_sprites_hash(first));
+      + uvec2(2131687100u, 3540083553u);
   v ^= v >> 16u;
   v *= uvec2(1664525u, 389569706u);
   return v.x + v.y;
-}
-
-// virtual_tile_map (indirection/virtual_tile_map.glsl)
-void moving_sprites_virtual_tile_map(vec2 uv, ivec2 cells, int seed, vec2 uv_dx, vec2 uv_dy,
-    out moving_sprites_Tile tile, out vec2 tile_local_dx, out vec2 tile_local_dy) {
-  ivec2 count = max(cells, 1);
-  vec2 p_slope = vec2(count);
-  vec2 p = uv * p_slope;
-  vec2 corner = floor(p);
-  ivec2 cell = ivec2(corner);
-  tile = moving_sprites_Tile(cell, p - corner, moving_sprites_cell_hash(cell, seed));
-  tile_local_dx = uv_dx * p_slope;
-  tile_local_dy = uv_dy * p_slope;
 }
 
 // explicit_positioning (indirection/explicit_positioning.glsl)
@@ -52,10 +30,9 @@ void moving_sprites_explicit_positioning(moving_sprites_Tile tile, int layer, ve
   vec4 sprite = texelFetch(crowd, ivec3(cell, clamp(layer, 0, 3)), 0);
   vec2 q = tile.local - sprite.xy;
   int pattern2 = layer < 0 || layer >= 4 ? -1 : int(sprite.z);
-  ivec2 sum = cell + ivec2(floor(sprite.xy + 0.5));
   vec2 width = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
-  vec2 sum2 = (0.5 - abs(q - 0.5)) / clamp(width, 1e-5, 1.0) + 0.5;
-  vec2 share = clamp(sum2, 0.0, 1.0);
+  vec2 sum = (0.5 - abs(q - 0.5)) / clamp(width, 1e-5, 1.0) + 0.5;
+  vec2 share = clamp(sum, 0.0, 1.0);
   vec2 part = max(1.0 - abs(sprite.xy), 0.0);
   float away = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
   float coverage2 = 0.0;
@@ -63,7 +40,7 @@ void moving_sprites_explicit_positioning(moving_sprites_Tile tile, int layer, ve
     coverage2 = mix(share.x * share.y, part.x * part.y, away);
   }
   pattern = pattern2;
-  inner = moving_sprites_Tile(sum, q, moving_sprites_cell_hash(sum, layer));
+  inner = moving_sprites_Tile(cell + ivec2(floor(sprite.xy + 0.5)), q);
   coverage = coverage2;
 }
 
@@ -91,20 +68,17 @@ vec4 moving_sprites_texture_sprites(sampler2DArray patterns, moving_sprites_Tile
 vec4 moving_sprites(vec2 uv) {
   vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
   // grass_cells: virtual_tile_map (indirection/virtual_tile_map.glsl)
-  moving_sprites_Tile grass_cells;
-  vec2 grass_cells_local_dx, grass_cells_local_dy;
-  moving_sprites_virtual_tile_map(uv, ivec2(4), 3, uv_dx, uv_dy, grass_cells, grass_cells_local_dx,
-      grass_cells_local_dy);
+  vec2 product = uv * 4.0;
   // grass_pattern: virtual_indirection_map (indirection/virtual_indirection_map.glsl)
-  int grass_pattern = int(grass_cells.seed >> 28u);
+  int grass_pattern = int(moving_sprites_cell_hash(ivec2(floor(product))) >> 28u);
   // grass: reference_texture (indirection/reference_texture.glsl)
-  vec3 vector = vec3(grass_cells.local, float(grass_pattern));
-  vec4 grass = textureGrad(meadows, vector, grass_cells_local_dx, grass_cells_local_dy);
+  vec4 grass = texture(meadows, vec3(product, float(grass_pattern)));
   // grid: virtual_tile_map (indirection/virtual_tile_map.glsl)
-  moving_sprites_Tile grid;
-  vec2 grid_local_dx, grid_local_dy;
-  moving_sprites_virtual_tile_map(uv, ivec2(8), 0, uv_dx, uv_dy, grid, grid_local_dx,
-      grid_local_dy);
+  vec2 product2 = uv * 8.0;
+  vec2 whole = floor(product2);
+  moving_sprites_Tile grid = moving_sprites_Tile(ivec2(whole), product2 - whole);
+  vec2 grid_local_dx = uv_dx * 8.0;
+  vec2 grid_local_dy = uv_dy * 8.0;
   // seen: texture_sprites (indirection/texture_sprites.glsl)
   vec4 seen = moving_sprites_texture_sprites(insects, grid, grid_local_dx, grid_local_dy);
   // garden: over (layers/over.glsl)

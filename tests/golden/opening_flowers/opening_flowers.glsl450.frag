@@ -18,7 +18,6 @@ layout(location = 0) out vec4 out_color;
 struct Tile {
   vec2 local;
   vec2 size;
-  uint seed;
   vec2 right;
   vec2 up;
 };
@@ -39,20 +38,6 @@ uint cell_hash(ivec2 cell, int seed) {
   v ^= v >> 16u;
   v *= uvec2(1664525u, 389569706u);
   return v.x + v.y;
-}
-
-// virtual_tile_map (indirection/virtual_tile_map.glsl)
-void virtual_tile_map_grass_cells(vec2 uv, ivec2 cells, int seed, vec2 uv_dx, vec2 uv_dy,
-    out Tile tile, out vec2 tile_local_dx, out vec2 tile_local_dy) {
-  ivec2 count = max(cells, 1);
-  vec2 p_slope = vec2(count);
-  vec2 p = uv * p_slope;
-  vec2 corner = floor(p);
-  ivec2 cell = ivec2(corner);
-  uint cell_hash_value = cell_hash(cell, seed);
-  tile = Tile(p - corner, 1.0 / p_slope, cell_hash_value, vec2(1.0, 0.0), vec2(0.0, 1.0));
-  tile_local_dx = uv_dx * p_slope;
-  tile_local_dy = uv_dy * p_slope;
 }
 
 // tile_center (tiles/tile_center.glsl)
@@ -98,17 +83,6 @@ float ball(vec2 uv, vec2 from, float radius, float speed, float time, vec2 uv_dx
   return away;
 }
 
-// virtual_tile_map (indirection/virtual_tile_map.glsl)
-void virtual_tile_map_grid(vec2 uv, ivec2 neighbour, vec2 uv_dx, vec2 uv_dy, out Tile tile,
-    out vec2 tile_local_dx, out vec2 tile_local_dy) {
-  vec2 p = uv * 12.0;
-  vec2 corner = floor(p) + vec2(neighbour);
-  ivec2 cell = ivec2(corner);
-  tile = Tile(p - corner, vec2(0.083333336), cell_hash(cell, 0), vec2(1.0, 0.0), vec2(0.0, 1.0));
-  tile_local_dx = uv_dx * 12.0;
-  tile_local_dy = uv_dy * 12.0;
-}
-
 // four_numbers, of virtual_random_map (indirection/virtual_random_map.glsl)
 vec4 four_numbers(uint seed) {
   uint first = hash(seed);
@@ -145,8 +119,7 @@ void tile_transform(Tile tile, vec2 position, float rotation, vec2 tile_local_dx
   vec2 q_dy = mix(vec2(0.0), ratio2, test);
   vec2 q = vec2(dot(turn, p), cosine * p.y - sine * p.x) / product + 0.5;
   vec2 sum = cosine * tile.right + sine * tile.up;
-  vec2 difference = cosine * tile.up - sine * tile.right;
-  inner = Tile(q, product, tile.seed, sum, difference);
+  inner = Tile(q, product, sum, cosine * tile.up - sine * tile.right);
   coverage = share_of(q, q_dx, q_dy);
   inner_local_dx = q_dx;
   inner_local_dy = q_dy;
@@ -155,9 +128,11 @@ void tile_transform(Tile tile, vec2 position, float rotation, vec2 tile_local_dx
 // seen_at (a function of neighbour)
 vec4 seen_at(ivec2 neighbour, vec2 uv, float time, vec2 uv_dx, vec2 uv_dy) {
   // grid: virtual_tile_map (indirection/virtual_tile_map.glsl)
-  Tile grid;
-  vec2 grid_local_dx, grid_local_dy;
-  virtual_tile_map_grid(uv, neighbour, uv_dx, uv_dy, grid, grid_local_dx, grid_local_dy);
+  vec2 product = uv * 12.0;
+  vec2 sum = floor(product) + vec2(neighbour);
+  Tile grid = Tile(product - sum, vec2(0.083333336), vec2(1.0, 0.0), vec2(0.0, 1.0));
+  vec2 grid_local_dx = uv_dx * 12.0;
+  vec2 grid_local_dy = uv_dy * 12.0;
   // middle: tile_center (tiles/tile_center.glsl)
   vec2 middle = tile_center(grid, uv);
   // red: ball (function of the graph)
@@ -173,7 +148,7 @@ vec4 seen_at(ivec2 neighbour, vec2 uv, float time, vec2 uv_dx, vec2 uv_dy) {
   // picture: to_int (channels/to_int.glsl)
   int picture = int(stage);
   // luck: virtual_random_map (indirection/virtual_random_map.glsl)
-  vec4 luck = four_numbers(grid.seed);
+  vec4 luck = four_numbers(cell_hash(ivec2(sum), 0));
   // angle: multiply (math/multiply.glsl)
   float angle = luck.z * 360.0;
   // flower_place: tile_transform (indirection/tile_transform.glsl)
@@ -212,19 +187,16 @@ vec4 overlap(vec2 uv, float time, Tile tile, vec2 uv_dx, vec2 uv_dy, vec2 tile_l
 void main() {
   vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
   // grass_cells: virtual_tile_map (indirection/virtual_tile_map.glsl)
-  Tile grass_cells;
-  vec2 grass_cells_local_dx, grass_cells_local_dy;
-  virtual_tile_map_grass_cells(uv, ivec2(6), 7, uv_dx, uv_dy, grass_cells, grass_cells_local_dx,
-      grass_cells_local_dy);
+  vec2 product = uv * 6.0;
   // grass_pattern: virtual_indirection_map (indirection/virtual_indirection_map.glsl)
-  int grass_pattern = int(grass_cells.seed >> 28u);
+  int grass_pattern = int(cell_hash(ivec2(floor(product)), 7) >> 28u);
   // grass: reference_texture (indirection/reference_texture.glsl)
-  vec3 vector = vec3(grass_cells.local, float(grass_pattern));
-  vec4 grass = textureGrad(meadows, vector, grass_cells_local_dx, grass_cells_local_dy);
+  vec4 grass = texture(meadows, vec3(product, float(grass_pattern)));
   // grid: virtual_tile_map (indirection/virtual_tile_map.glsl)
-  Tile grid;
-  vec2 grid_local_dx, grid_local_dy;
-  virtual_tile_map_grass_cells(uv, ivec2(12), 0, uv_dx, uv_dy, grid, grid_local_dx, grid_local_dy);
+  vec2 product2 = uv * 12.0;
+  Tile grid = Tile(product2 - floor(product2), vec2(0.083333336), vec2(1.0, 0.0), vec2(0.0, 1.0));
+  vec2 grid_local_dx = uv_dx * 12.0;
+  vec2 grid_local_dy = uv_dy * 12.0;
   // middle: tile_center (tiles/tile_center.glsl)
   vec2 middle = tile_center(grid, uv);
   // red: ball (function of the graph)

@@ -29,28 +29,6 @@ uint leaf_areas_cell_hash(ivec2 cell) {
   return v.x + v.y;
 }
 
-// virtual_tile_map (indirection/virtual_tile_map.glsl)
-void leaf_areas_virtual_tile_map_grid(vec2 uv, vec2 uv_dx, vec2 uv_dy, out leaf_areas_Tile tile,
-    out vec2 tile_local_dx, out vec2 tile_local_dy) {
-  vec2 p = uv * 14.0;
-  vec2 corner = floor(p);
-  ivec2 cell = ivec2(corner);
-  tile = leaf_areas_Tile(cell, p - corner, vec2(0.071428575), leaf_areas_cell_hash(cell));
-  tile_local_dx = uv_dx * 14.0;
-  tile_local_dy = uv_dy * 14.0;
-}
-
-// virtual_tile_map (indirection/virtual_tile_map.glsl)
-void leaf_areas_virtual_tile_map_grid(vec2 uv, ivec2 neighbour, vec2 uv_dx, vec2 uv_dy,
-    out leaf_areas_Tile tile, out vec2 tile_local_dx, out vec2 tile_local_dy) {
-  vec2 p = uv * 14.0;
-  vec2 corner = floor(p) + vec2(neighbour);
-  ivec2 cell = ivec2(corner);
-  tile = leaf_areas_Tile(cell, p - corner, vec2(0.071428575), leaf_areas_cell_hash(cell));
-  tile_local_dx = uv_dx * 14.0;
-  tile_local_dy = uv_dy * 14.0;
-}
-
 // hash (random/hash.glsl)
 uint leaf_areas_hash(uint value) {
   uint state = value * 747796405u + 2891336453u;
@@ -102,20 +80,26 @@ void leaf_areas_tile_transform(leaf_areas_Tile tile, vec2 position, float scale,
 }
 
 // wrap_cell (tiles/wrap_cell.glsl)
-ivec2 leaf_areas_wrap_cell(ivec2 cell, ivec2 count) {
+ivec2 leaf_areas_wrap_cell_area(ivec2 cell) {
   ivec2 flip = cell >> 31;
-  return (((cell ^ flip) % count) ^ flip) + (flip & count);
+  return (((cell ^ flip) % 14) ^ flip) + (flip & 14);
+}
+
+// wrap_cell (tiles/wrap_cell.glsl)
+ivec2 leaf_areas_wrap_cell_area2(ivec2 cell) {
+  ivec2 flip = cell >> 31;
+  return (((cell ^ flip) % 7) ^ flip) + (flip & 7);
 }
 
 // dithered_areas_map (indirection/dithered_areas_map.glsl)
 int leaf_areas_dithered_areas_map(leaf_areas_Tile tile) {
-  ivec2 middle = 2 * leaf_areas_wrap_cell(tile.cell, ivec2(14)) + 3;
+  ivec2 middle = 2 * leaf_areas_wrap_cell_area(tile.cell) + 3;
   ivec2 last = middle / 4;
   ivec2 share = middle % 4;
   uint bits = leaf_areas_hash(tile.seed + 1u);
   ivec2 luck = ivec2(uvec2(bits & 65535u, bits >> 16u) >> 14u);
   ivec2 picked = last - ivec2(lessThanEqual(share, luck));
-  return int(texelFetch(areas, leaf_areas_wrap_cell(picked, ivec2(7)), 0).x);
+  return int(texelFetch(areas, leaf_areas_wrap_cell_area2(picked), 0).x);
 }
 
 // drawn, of materials_map (indirection/materials_map.glsl)
@@ -129,11 +113,16 @@ int leaf_areas_drawn(int material, uint seed) {
 // seen_at (a function of neighbour)
 vec4 leaf_areas_seen_at(ivec2 neighbour, vec2 uv, vec2 uv_dx, vec2 uv_dy) {
   // grid: virtual_tile_map (indirection/virtual_tile_map.glsl)
-  leaf_areas_Tile grid;
-  vec2 grid_local_dx, grid_local_dy;
-  leaf_areas_virtual_tile_map_grid(uv, neighbour, uv_dx, uv_dy, grid, grid_local_dx, grid_local_dy);
+  vec2 product = uv * 14.0;
+  vec2 sum = floor(product) + vec2(neighbour);
+  ivec2 numbers = ivec2(sum);
+  uint cell_hash_value = leaf_areas_cell_hash(numbers);
+  leaf_areas_Tile grid = leaf_areas_Tile(numbers, product - sum, vec2(0.071428575),
+      cell_hash_value);
+  vec2 grid_local_dx = uv_dx * 14.0;
+  vec2 grid_local_dy = uv_dy * 14.0;
   // luck: virtual_random_map (indirection/virtual_random_map.glsl)
-  vec4 luck = leaf_areas_four_numbers(grid.seed + 1u);
+  vec4 luck = leaf_areas_four_numbers(cell_hash_value + 1u);
   // size: remap (math/remap.glsl)
   float size = mix(0.7, 1.0, luck.z);
   // angle: multiply (math/multiply.glsl)
@@ -147,7 +136,7 @@ vec4 leaf_areas_seen_at(ivec2 neighbour, vec2 uv, vec2 uv_dx, vec2 uv_dy) {
   // area: dithered_areas_map (indirection/dithered_areas_map.glsl)
   int area = leaf_areas_dithered_areas_map(grid);
   // kind: materials_map (indirection/materials_map.glsl)
-  int kind = leaf_areas_drawn(area, grid.seed);
+  int kind = leaf_areas_drawn(area, cell_hash_value);
   // painted: reference_texture (indirection/reference_texture.glsl)
   vec3 vector = vec3(leaf_inner.local, float(kind));
   vec4 texel = textureGrad(leaves, vector, leaf_inner_local_dx, leaf_inner_local_dy);
@@ -177,9 +166,13 @@ vec4 leaf_areas_overlap(vec2 uv, leaf_areas_Tile tile, vec2 uv_dx, vec2 uv_dy, v
 vec4 leaf_areas(vec2 uv) {
   vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
   // grid: virtual_tile_map (indirection/virtual_tile_map.glsl)
-  leaf_areas_Tile grid;
-  vec2 grid_local_dx, grid_local_dy;
-  leaf_areas_virtual_tile_map_grid(uv, uv_dx, uv_dy, grid, grid_local_dx, grid_local_dy);
+  vec2 product = uv * 14.0;
+  vec2 whole = floor(product);
+  ivec2 numbers = ivec2(whole);
+  leaf_areas_Tile grid = leaf_areas_Tile(numbers, product - whole, vec2(0.071428575),
+      leaf_areas_cell_hash(numbers));
+  vec2 grid_local_dx = uv_dx * 14.0;
+  vec2 grid_local_dy = uv_dy * 14.0;
   // scattered: overlap (indirection/overlap.glsl)
   vec4 scattered = leaf_areas_overlap(uv, grid, uv_dx, uv_dy, grid_local_dx, grid_local_dy);
   // soil: tiled_image (images/tiled_image.glsl)

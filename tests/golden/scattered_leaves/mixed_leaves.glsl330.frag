@@ -15,7 +15,6 @@ layout(location = 0) out vec4 out_color;
 struct Tile {
   vec2 local;
   vec2 size;
-  uint seed;
 };
 
 // Constants
@@ -29,28 +28,6 @@ uint cell_hash(ivec2 cell) {
   v ^= v >> 16u;
   v *= uvec2(1664525u, 389569706u);
   return v.x + v.y;
-}
-
-// virtual_tile_map (indirection/virtual_tile_map.glsl)
-void virtual_tile_map_grid(vec2 uv, vec2 uv_dx, vec2 uv_dy, out Tile tile, out vec2 tile_local_dx,
-    out vec2 tile_local_dy) {
-  vec2 p = uv * 14.0;
-  vec2 corner = floor(p);
-  ivec2 cell = ivec2(corner);
-  tile = Tile(p - corner, vec2(0.071428575), cell_hash(cell));
-  tile_local_dx = uv_dx * 14.0;
-  tile_local_dy = uv_dy * 14.0;
-}
-
-// virtual_tile_map (indirection/virtual_tile_map.glsl)
-void virtual_tile_map_grid(vec2 uv, ivec2 neighbour, vec2 uv_dx, vec2 uv_dy, out Tile tile,
-    out vec2 tile_local_dx, out vec2 tile_local_dy) {
-  vec2 p = uv * 14.0;
-  vec2 corner = floor(p) + vec2(neighbour);
-  ivec2 cell = ivec2(corner);
-  tile = Tile(p - corner, vec2(0.071428575), cell_hash(cell));
-  tile_local_dx = uv_dx * 14.0;
-  tile_local_dy = uv_dy * 14.0;
 }
 
 // hash (random/hash.glsl)
@@ -97,7 +74,7 @@ void tile_transform(Tile tile, vec2 position, float scale, float rotation, vec2 
   vec2 q_dy = mix(vec2(0.0), ratio2, test);
   vec2 q = vec2(dot(turn, p), cosine * p.y - sine * p.x) / product + 0.5;
   float coverage2 = share_of(q, 1.0 / size, q_dx, q_dy);
-  inner = Tile(q, product, tile.seed);
+  inner = Tile(q, product);
   coverage = scale > 0.0 ? coverage2 : 0.0;
   inner_local_dx = q_dx;
   inner_local_dy = q_dy;
@@ -106,11 +83,14 @@ void tile_transform(Tile tile, vec2 position, float scale, float rotation, vec2 
 // seen_at (a function of neighbour)
 vec4 seen_at(ivec2 neighbour, vec2 uv, vec2 uv_dx, vec2 uv_dy) {
   // grid: virtual_tile_map (indirection/virtual_tile_map.glsl)
-  Tile grid;
-  vec2 grid_local_dx, grid_local_dy;
-  virtual_tile_map_grid(uv, neighbour, uv_dx, uv_dy, grid, grid_local_dx, grid_local_dy);
+  vec2 product = uv * 14.0;
+  vec2 sum = floor(product) + vec2(neighbour);
+  uint cell_hash_value = cell_hash(ivec2(sum));
+  Tile grid = Tile(product - sum, vec2(0.071428575));
+  vec2 grid_local_dx = uv_dx * 14.0;
+  vec2 grid_local_dy = uv_dy * 14.0;
   // luck: virtual_random_map (indirection/virtual_random_map.glsl)
-  vec4 luck = four_numbers(grid.seed + 1u);
+  vec4 luck = four_numbers(cell_hash_value + 1u);
   // size: remap (math/remap.glsl)
   float size = mix(0.7, 1.0, luck.z);
   // angle: multiply (math/multiply.glsl)
@@ -122,7 +102,7 @@ vec4 seen_at(ivec2 neighbour, vec2 uv, vec2 uv_dx, vec2 uv_dy) {
   tile_transform(grid, luck.xy, size, angle, grid_local_dx, grid_local_dy, leaf_inner,
       leaf_coverage, leaf_inner_local_dx, leaf_inner_local_dy);
   // kind: materials_map (indirection/materials_map.glsl)
-  int kind = often[int(grid.seed >> 29u)];
+  int kind = often[int(cell_hash_value >> 29u)];
   // painted: reference_texture (indirection/reference_texture.glsl)
   vec3 vector = vec3(leaf_inner.local, float(kind));
   vec4 painted = textureGrad(leaves, vector, leaf_inner_local_dx, leaf_inner_local_dy);
@@ -150,9 +130,10 @@ vec4 overlap(vec2 uv, Tile tile, vec2 uv_dx, vec2 uv_dy, vec2 tile_local_dx, vec
 void main() {
   vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
   // grid: virtual_tile_map (indirection/virtual_tile_map.glsl)
-  Tile grid;
-  vec2 grid_local_dx, grid_local_dy;
-  virtual_tile_map_grid(uv, uv_dx, uv_dy, grid, grid_local_dx, grid_local_dy);
+  vec2 product = uv * 14.0;
+  Tile grid = Tile(product - floor(product), vec2(0.071428575));
+  vec2 grid_local_dx = uv_dx * 14.0;
+  vec2 grid_local_dy = uv_dy * 14.0;
   // scattered: overlap (indirection/overlap.glsl)
   vec4 scattered = overlap(uv, grid, uv_dx, uv_dy, grid_local_dx, grid_local_dy);
   // soil: tiled_image (images/tiled_image.glsl)

@@ -10,7 +10,6 @@ uniform sampler2D forest_floor;
 struct mixed_leaves_Tile {
   vec2 local;
   vec2 size;
-  uint seed;
 };
 
 // Constants
@@ -24,28 +23,6 @@ uint mixed_leaves_cell_hash(ivec2 cell) {
   v ^= v >> 16u;
   v *= uvec2(1664525u, 389569706u);
   return v.x + v.y;
-}
-
-// virtual_tile_map (indirection/virtual_tile_map.glsl)
-void mixed_leaves_virtual_tile_map_grid(vec2 uv, vec2 uv_dx, vec2 uv_dy, out mixed_leaves_Tile tile,
-    out vec2 tile_local_dx, out vec2 tile_local_dy) {
-  vec2 p = uv * 14.0;
-  vec2 corner = floor(p);
-  ivec2 cell = ivec2(corner);
-  tile = mixed_leaves_Tile(p - corner, vec2(0.071428575), mixed_leaves_cell_hash(cell));
-  tile_local_dx = uv_dx * 14.0;
-  tile_local_dy = uv_dy * 14.0;
-}
-
-// virtual_tile_map (indirection/virtual_tile_map.glsl)
-void mixed_leaves_virtual_tile_map_grid(vec2 uv, ivec2 neighbour, vec2 uv_dx, vec2 uv_dy,
-    out mixed_leaves_Tile tile, out vec2 tile_local_dx, out vec2 tile_local_dy) {
-  vec2 p = uv * 14.0;
-  vec2 corner = floor(p) + vec2(neighbour);
-  ivec2 cell = ivec2(corner);
-  tile = mixed_leaves_Tile(p - corner, vec2(0.071428575), mixed_leaves_cell_hash(cell));
-  tile_local_dx = uv_dx * 14.0;
-  tile_local_dy = uv_dy * 14.0;
 }
 
 // hash (random/hash.glsl)
@@ -92,7 +69,7 @@ void mixed_leaves_tile_transform(mixed_leaves_Tile tile, vec2 position, float sc
   vec2 q_dy = mix(vec2(0.0), ratio2, test);
   vec2 q = vec2(dot(turn, p), cosine * p.y - sine * p.x) / product + 0.5;
   float coverage2 = mixed_leaves_share_of(q, 1.0 / size, q_dx, q_dy);
-  inner = mixed_leaves_Tile(q, product, tile.seed);
+  inner = mixed_leaves_Tile(q, product);
   coverage = scale > 0.0 ? coverage2 : 0.0;
   inner_local_dx = q_dx;
   inner_local_dy = q_dy;
@@ -101,12 +78,14 @@ void mixed_leaves_tile_transform(mixed_leaves_Tile tile, vec2 position, float sc
 // seen_at (a function of neighbour)
 vec4 mixed_leaves_seen_at(ivec2 neighbour, vec2 uv, vec2 uv_dx, vec2 uv_dy) {
   // grid: virtual_tile_map (indirection/virtual_tile_map.glsl)
-  mixed_leaves_Tile grid;
-  vec2 grid_local_dx, grid_local_dy;
-  mixed_leaves_virtual_tile_map_grid(uv, neighbour, uv_dx, uv_dy, grid, grid_local_dx,
-      grid_local_dy);
+  vec2 product = uv * 14.0;
+  vec2 sum = floor(product) + vec2(neighbour);
+  uint cell_hash_value = mixed_leaves_cell_hash(ivec2(sum));
+  mixed_leaves_Tile grid = mixed_leaves_Tile(product - sum, vec2(0.071428575));
+  vec2 grid_local_dx = uv_dx * 14.0;
+  vec2 grid_local_dy = uv_dy * 14.0;
   // luck: virtual_random_map (indirection/virtual_random_map.glsl)
-  vec4 luck = mixed_leaves_four_numbers(grid.seed + 1u);
+  vec4 luck = mixed_leaves_four_numbers(cell_hash_value + 1u);
   // size: remap (math/remap.glsl)
   float size = mix(0.7, 1.0, luck.z);
   // angle: multiply (math/multiply.glsl)
@@ -118,7 +97,7 @@ vec4 mixed_leaves_seen_at(ivec2 neighbour, vec2 uv, vec2 uv_dx, vec2 uv_dy) {
   mixed_leaves_tile_transform(grid, luck.xy, size, angle, grid_local_dx, grid_local_dy, leaf_inner,
       leaf_coverage, leaf_inner_local_dx, leaf_inner_local_dy);
   // kind: materials_map (indirection/materials_map.glsl)
-  int kind = mixed_leaves_often[int(grid.seed >> 29u)];
+  int kind = mixed_leaves_often[int(cell_hash_value >> 29u)];
   // painted: reference_texture (indirection/reference_texture.glsl)
   vec3 vector = vec3(leaf_inner.local, float(kind));
   vec4 painted = textureGrad(leaves, vector, leaf_inner_local_dx, leaf_inner_local_dy);
@@ -147,9 +126,10 @@ vec4 mixed_leaves_overlap(vec2 uv, mixed_leaves_Tile tile, vec2 uv_dx, vec2 uv_d
 vec4 mixed_leaves(vec2 uv) {
   vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
   // grid: virtual_tile_map (indirection/virtual_tile_map.glsl)
-  mixed_leaves_Tile grid;
-  vec2 grid_local_dx, grid_local_dy;
-  mixed_leaves_virtual_tile_map_grid(uv, uv_dx, uv_dy, grid, grid_local_dx, grid_local_dy);
+  vec2 product = uv * 14.0;
+  mixed_leaves_Tile grid = mixed_leaves_Tile(product - floor(product), vec2(0.071428575));
+  vec2 grid_local_dx = uv_dx * 14.0;
+  vec2 grid_local_dy = uv_dy * 14.0;
   // scattered: overlap (indirection/overlap.glsl)
   vec4 scattered = mixed_leaves_overlap(uv, grid, uv_dx, uv_dy, grid_local_dx, grid_local_dy);
   // soil: tiled_image (images/tiled_image.glsl)

@@ -10,7 +10,6 @@ uniform sampler2D forest_floor;
 struct scattered_leaves_Tile {
   vec2 local;
   vec2 size;
-  uint seed;
 };
 
 // cell_hash (indirection/cell_hash.glsl)
@@ -21,28 +20,6 @@ uint scattered_leaves_cell_hash(ivec2 cell) {
   v ^= v >> 16u;
   v *= uvec2(1664525u, 389569706u);
   return v.x + v.y;
-}
-
-// virtual_tile_map (indirection/virtual_tile_map.glsl)
-void scattered_leaves_virtual_tile_map_grid(vec2 uv, vec2 uv_dx, vec2 uv_dy,
-    out scattered_leaves_Tile tile, out vec2 tile_local_dx, out vec2 tile_local_dy) {
-  vec2 p = uv * 14.0;
-  vec2 corner = floor(p);
-  ivec2 cell = ivec2(corner);
-  tile = scattered_leaves_Tile(p - corner, vec2(0.071428575), scattered_leaves_cell_hash(cell));
-  tile_local_dx = uv_dx * 14.0;
-  tile_local_dy = uv_dy * 14.0;
-}
-
-// virtual_tile_map (indirection/virtual_tile_map.glsl)
-void scattered_leaves_virtual_tile_map_grid(vec2 uv, ivec2 neighbour, vec2 uv_dx, vec2 uv_dy,
-    out scattered_leaves_Tile tile, out vec2 tile_local_dx, out vec2 tile_local_dy) {
-  vec2 p = uv * 14.0;
-  vec2 corner = floor(p) + vec2(neighbour);
-  ivec2 cell = ivec2(corner);
-  tile = scattered_leaves_Tile(p - corner, vec2(0.071428575), scattered_leaves_cell_hash(cell));
-  tile_local_dx = uv_dx * 14.0;
-  tile_local_dy = uv_dy * 14.0;
 }
 
 // hash (random/hash.glsl)
@@ -89,7 +66,7 @@ void scattered_leaves_tile_transform(scattered_leaves_Tile tile, vec2 position, 
   vec2 q_dy = mix(vec2(0.0), ratio2, test);
   vec2 q = vec2(dot(turn, p), cosine * p.y - sine * p.x) / product + 0.5;
   float coverage2 = scattered_leaves_share_of(q, 1.0 / size, q_dx, q_dy);
-  inner = scattered_leaves_Tile(q, product, tile.seed);
+  inner = scattered_leaves_Tile(q, product);
   coverage = scale > 0.0 ? coverage2 : 0.0;
   inner_local_dx = q_dx;
   inner_local_dy = q_dy;
@@ -98,12 +75,13 @@ void scattered_leaves_tile_transform(scattered_leaves_Tile tile, vec2 position, 
 // seen_at (a function of neighbour)
 vec4 scattered_leaves_seen_at(ivec2 neighbour, vec2 uv, vec2 uv_dx, vec2 uv_dy) {
   // grid: virtual_tile_map (indirection/virtual_tile_map.glsl)
-  scattered_leaves_Tile grid;
-  vec2 grid_local_dx, grid_local_dy;
-  scattered_leaves_virtual_tile_map_grid(uv, neighbour, uv_dx, uv_dy, grid, grid_local_dx,
-      grid_local_dy);
+  vec2 product = uv * 14.0;
+  vec2 sum = floor(product) + vec2(neighbour);
+  scattered_leaves_Tile grid = scattered_leaves_Tile(product - sum, vec2(0.071428575));
+  vec2 grid_local_dx = uv_dx * 14.0;
+  vec2 grid_local_dy = uv_dy * 14.0;
   // luck: virtual_random_map (indirection/virtual_random_map.glsl)
-  vec4 luck = scattered_leaves_four_numbers(grid.seed + 1u);
+  vec4 luck = scattered_leaves_four_numbers(scattered_leaves_cell_hash(ivec2(sum)) + 1u);
   // size: remap (math/remap.glsl)
   float size = mix(0.7, 1.0, luck.z);
   // angle: multiply (math/multiply.glsl)
@@ -142,9 +120,10 @@ vec4 scattered_leaves_overlap(vec2 uv, scattered_leaves_Tile tile, vec2 uv_dx, v
 vec4 scattered_leaves(vec2 uv) {
   vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
   // grid: virtual_tile_map (indirection/virtual_tile_map.glsl)
-  scattered_leaves_Tile grid;
-  vec2 grid_local_dx, grid_local_dy;
-  scattered_leaves_virtual_tile_map_grid(uv, uv_dx, uv_dy, grid, grid_local_dx, grid_local_dy);
+  vec2 product = uv * 14.0;
+  scattered_leaves_Tile grid = scattered_leaves_Tile(product - floor(product), vec2(0.071428575));
+  vec2 grid_local_dx = uv_dx * 14.0;
+  vec2 grid_local_dy = uv_dy * 14.0;
   // scattered: overlap (indirection/overlap.glsl)
   vec4 scattered = scattered_leaves_overlap(uv, grid, uv_dx, uv_dy, grid_local_dx, grid_local_dy);
   // soil: tiled_image (images/tiled_image.glsl)

@@ -10,7 +10,6 @@ uniform sampler2D far;
 // Types
 struct transition_tiling_Tile {
   ivec2 cell;
-  vec2 local;
   uint seed;
 };
 
@@ -31,17 +30,6 @@ uint transition_tiling_cell_hash(ivec2 cell) {
   return v.x + v.y;
 }
 
-// virtual_tile_map (indirection/virtual_tile_map.glsl)
-void transition_tiling_virtual_tile_map_grid(vec2 uv, vec2 uv_dx, vec2 uv_dy,
-    out transition_tiling_Tile tile, out vec2 tile_local_dx, out vec2 tile_local_dy) {
-  vec2 p = uv * 64.0;
-  vec2 corner = floor(p);
-  ivec2 cell = ivec2(corner);
-  tile = transition_tiling_Tile(cell, p - corner, transition_tiling_cell_hash(cell));
-  tile_local_dx = uv_dx * 64.0;
-  tile_local_dy = uv_dy * 64.0;
-}
-
 // hash (random/hash.glsl)
 uint transition_tiling_hash(uint value) {
   uint state = value * 747796405u + 2891336453u;
@@ -60,28 +48,45 @@ int transition_tiling_dithered_areas_map(transition_tiling_Tile tile) {
   return int(texelFetch(areas, picked & 7, 0).x);
 }
 
-// virtual_tile_map (indirection/virtual_tile_map.glsl)
-transition_tiling_Tile transition_tiling_virtual_tile_map_grid(vec2 uv, ivec2 neighbour) {
-  vec2 p = uv * 64.0;
-  vec2 corner = floor(p) + vec2(neighbour);
-  ivec2 cell = ivec2(corner);
-  transition_tiling_Tile tile = transition_tiling_Tile(cell, p - corner,
-      transition_tiling_cell_hash(cell));
-  return tile;
+// kind_at (a function of neighbour)
+int transition_tiling_kind_at_shore(vec2 uv) {
+  // grid: virtual_tile_map (indirection/virtual_tile_map.glsl)
+  ivec2 numbers = ivec2(floor(uv * 64.0) + vec2(1.0, 0.0));
+  transition_tiling_Tile grid = transition_tiling_Tile(numbers,
+      transition_tiling_cell_hash(numbers));
+  // kind: dithered_areas_map (indirection/dithered_areas_map.glsl)
+  int kind = transition_tiling_dithered_areas_map(grid);
+  return kind;
+}
+
+// kind_at (a function of neighbour)
+int transition_tiling_kind_at_shore2(vec2 uv) {
+  // grid: virtual_tile_map (indirection/virtual_tile_map.glsl)
+  ivec2 numbers = ivec2(floor(uv * 64.0) + vec2(0.0, 1.0));
+  transition_tiling_Tile grid = transition_tiling_Tile(numbers,
+      transition_tiling_cell_hash(numbers));
+  // kind: dithered_areas_map (indirection/dithered_areas_map.glsl)
+  int kind = transition_tiling_dithered_areas_map(grid);
+  return kind;
+}
+
+// kind_at (a function of neighbour)
+int transition_tiling_kind_at_shore3(vec2 uv) {
+  // grid: virtual_tile_map (indirection/virtual_tile_map.glsl)
+  ivec2 numbers = ivec2(floor(uv * 64.0) + 1.0);
+  transition_tiling_Tile grid = transition_tiling_Tile(numbers,
+      transition_tiling_cell_hash(numbers));
+  // kind: dithered_areas_map (indirection/dithered_areas_map.glsl)
+  int kind = transition_tiling_dithered_areas_map(grid);
+  return kind;
 }
 
 // transition_tiles (indirection/transition_tiles.glsl)
 int transition_tiling_transition_tiles(vec2 uv, int material) {
   int here = transition_tiling_families[clamp(material, 0, 1)];
-  int clamped = clamp(transition_tiling_dithered_areas_map(transition_tiling_virtual_tile_map_grid(uv,
-      ivec2(1, 0))), 0, 1);
-  int right = transition_tiling_families[clamped];
-  int clamped2 = clamp(transition_tiling_dithered_areas_map(transition_tiling_virtual_tile_map_grid(uv,
-      ivec2(0, 1))), 0, 1);
-  int up = transition_tiling_families[clamped2];
-  int clamped3 = clamp(transition_tiling_dithered_areas_map(transition_tiling_virtual_tile_map_grid(uv,
-      ivec2(1))), 0, 1);
-  int both = transition_tiling_families[clamped3];
+  int right = transition_tiling_families[clamp(transition_tiling_kind_at_shore(uv), 0, 1)];
+  int up = transition_tiling_families[clamp(transition_tiling_kind_at_shore2(uv), 0, 1)];
+  int both = transition_tiling_families[clamp(transition_tiling_kind_at_shore3(uv), 0, 1)];
   bool plain = here == right && here == up && here == both;
   int transition = -1;
   if (!plain) {
@@ -108,20 +113,24 @@ float transition_tiling_tile_near(vec2 tile_local_dx, vec2 tile_local_dy) {
 vec4 transition_tiling(vec2 uv) {
   vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
   // grid: virtual_tile_map (indirection/virtual_tile_map.glsl)
-  transition_tiling_Tile grid;
-  vec2 grid_local_dx, grid_local_dy;
-  transition_tiling_virtual_tile_map_grid(uv, uv_dx, uv_dy, grid, grid_local_dx, grid_local_dy);
+  vec2 product = uv * 64.0;
+  vec2 whole = floor(product);
+  ivec2 numbers = ivec2(whole);
+  uint cell_hash_value = transition_tiling_cell_hash(numbers);
+  transition_tiling_Tile grid = transition_tiling_Tile(numbers, cell_hash_value);
+  vec2 grid_local_dx = uv_dx * 64.0;
+  vec2 grid_local_dy = uv_dy * 64.0;
   // kind: dithered_areas_map (indirection/dithered_areas_map.glsl)
   int kind = transition_tiling_dithered_areas_map(grid);
   // shore: transition_tiles (indirection/transition_tiles.glsl)
   int shore_transition = transition_tiling_transition_tiles(uv, kind);
   // plain: materials_map (indirection/materials_map.glsl)
-  int plain = transition_tiling_drawn(kind, grid.seed);
+  int plain = transition_tiling_drawn(kind, cell_hash_value);
   // pattern: transition_pattern (indirection/transition_pattern.glsl)
   int pattern = shore_transition < 0 ? plain : shore_transition;
   // close: reference_texture (indirection/reference_texture.glsl)
-  vec4 texel = textureGrad(grounds, vec3(grid.local, float(pattern)), grid_local_dx, grid_local_dy);
-  vec4 close = pattern < 0 ? vec4(0.0) : texel;
+  vec3 vector = vec3(product - whole, float(pattern));
+  vec4 close = pattern < 0 ? vec4(0.0) : textureGrad(grounds, vector, grid_local_dx, grid_local_dy);
   // mean: image (images/image.glsl)
   vec4 mean = texture(far, uv);
   // near: tile_near (tiles/tile_near.glsl)

@@ -233,12 +233,10 @@ vec4 volumetric_trees(vec2 uv) {
   vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
   // grass_cells: virtual_tile_map (indirection/virtual_tile_map.glsl)
   vec2 product = uv * 16.0;
-  vec2 whole = floor(product);
   // grass_pattern: virtual_indirection_map (indirection/virtual_indirection_map.glsl)
-  int grass_pattern = int(volumetric_trees_cell_hash(ivec2(whole)) >> 28u);
+  int grass_pattern = int(volumetric_trees_cell_hash(ivec2(floor(product))) >> 28u);
   // grass: reference_texture (indirection/reference_texture.glsl)
-  vec3 vector = vec3(product - whole, float(grass_pattern));
-  vec4 grass = textureGrad(meadows, vector, uv_dx * 16.0, uv_dy * 16.0);
+  vec4 grass = texture(meadows, vec3(product, float(grass_pattern)));
   // towards_x: add (math/add.glsl)
   float towards_x = uv.x - 0.03;
   // towards_y: add (math/add.glsl)

@@ -25,14 +25,11 @@ uint cell_hash(ivec2 cell) {
 }
 
 void main() {
-  vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
   // grid: virtual_tile_map (indirection/virtual_tile_map.glsl)
   vec2 product = uv * 64.0;
-  vec2 whole = floor(product);
   // pattern: materials_map (indirection/materials_map.glsl)
-  int pattern = often[int(cell_hash(ivec2(whole)) >> 27u)];
+  int pattern = often[int(cell_hash(ivec2(floor(product))) >> 27u)];
   // meadow: reference_texture (indirection/reference_texture.glsl)
-  vec3 vector = vec3(product - whole, float(pattern));
-  vec4 meadow = textureGrad(grounds, vector, uv_dx * 64.0, uv_dy * 64.0);
+  vec4 meadow = texture(grounds, vec3(product, float(pattern)));
   out_color = meadow;
 }

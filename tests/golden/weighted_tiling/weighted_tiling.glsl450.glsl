@@ -20,14 +20,11 @@ uint weighted_tiling_cell_hash(ivec2 cell) {
 }
 
 vec4 weighted_tiling(vec2 uv) {
-  vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
   // grid: virtual_tile_map (indirection/virtual_tile_map.glsl)
   vec2 product = uv * 64.0;
-  vec2 whole = floor(product);
   // pattern: materials_map (indirection/materials_map.glsl)
-  int pattern = weighted_tiling_often[int(weighted_tiling_cell_hash(ivec2(whole)) >> 27u)];
+  int pattern = weighted_tiling_often[int(weighted_tiling_cell_hash(ivec2(floor(product))) >> 27u)];
   // meadow: reference_texture (indirection/reference_texture.glsl)
-  vec3 vector = vec3(product - whole, float(pattern));
-  vec4 meadow = textureGrad(grounds, vector, uv_dx * 64.0, uv_dy * 64.0);
+  vec4 meadow = texture(grounds, vec3(product, float(pattern)));
   return meadow;
 }

@@ -397,6 +397,34 @@ TEST(DifferentiateTest, SteppedCoordinatesHaveNoFootprint) {
               ElementsAre("sample_lod"));
 }
 
+// A layer has no footprint: only the place in it has.
+TEST(DifferentiateTest, LayersMayJump) {
+  auto samples = [](bool jumps) {
+    ir::Module module;
+    module.AddGlobal({ir::GlobalKind::kInput, "uv", ir::kVec2, {}});
+    module.AddGlobal({ir::GlobalKind::kTexture, "patterns", ir::kSampler2DArray, {}});
+    ir::Function main;
+    main.name = "main";
+    main.results = {{"color", ir::kVec4}};
+    {
+      ir::Builder b(module, main, {true, nullptr});
+      ValueId uv = b.Global(ir::GlobalId(0));
+      ValueId layer = b.Op1(Op::kFloor, X(b, uv));
+      ValueId place = jumps ? b.Op1(Op::kFract, uv) : uv;
+      ValueId at = b.Construct(ir::kVec3, {{place, layer}});
+      b.Return({{b.Emit(Op::kSample, ir::kVec4, {b.Global(ir::GlobalId(1)), at})}});
+    }
+    module.functions.push_back(std::move(main));
+    module.main = ir::FunctionId(0);
+    Differentiate(module, true);
+    EXPECT_EQ(ir::Verify(module), "");
+    const std::string text = ir::Print(module);
+    return std::pair(text.find("sample @") != text.npos, text.find("sample_grad") != text.npos);
+  };
+  EXPECT_EQ(samples(false), std::pair(true, false));
+  EXPECT_EQ(samples(true), std::pair(false, true));
+}
+
 Make WarpedBy(Op jump) {
   return [jump](ir::Builder& b, ValueId uv) {
     ValueId p = jump == Op::kConst ? uv : b.Op1(jump, uv);

@@ -138,6 +138,32 @@ TEST_F(StructureRulesTest, SamplingWithoutBias) {
             "(sample @brick uv 1)");
 }
 
+TEST_F(StructureRulesTest, WholeNumbersDoNotMatterToWhatRepeats) {
+  ir::Global picture{ir::GlobalKind::kTexture, "brick", ir::kSampler2D, {}};
+  ir::Global patterns{ir::GlobalKind::kTexture, "patterns", ir::kSampler2DArray, {}};
+  const ir::GlobalId once = module_.AddGlobal(picture);
+  picture.repeats = patterns.repeats = true;
+  const ir::GlobalId again = module_.AddGlobal(picture), array = module_.AddGlobal(patterns);
+  ValueId uv = Param("uv", ir::kVec2);
+  auto local = [&](float cells) {
+    ValueId p = Op2(Op::kMul, uv, Floats({cells, cells}));
+    return Op2(Op::kSub, p, Op1(Op::kFloor, p));
+  };
+  auto sampled = [&](ir::GlobalId texture, ValueId at) {
+    return Text(builder_.Emit(Op::kSample, ir::kVec4, {builder_.Global(texture), at}));
+  };
+  EXPECT_EQ(sampled(again, local(64)), "(sample @brick (mul uv 64,64))");
+  EXPECT_EQ(sampled(array, builder_.Construct(ir::kVec3, {{local(64), x_}})),
+            "(sample @patterns (construct (extract.0 (mul uv 64,64)) (extract.1 (mul uv 64,64)) "
+            "x))");
+  // It ends at its border; it has too many repeats; the layer is none.
+  const std::string kept = "(sub (mul uv 64,64) (floor (mul uv 64,64)))";
+  EXPECT_EQ(sampled(once, local(64)), "(sample @brick " + kept + ")");
+  EXPECT_NE(sampled(again, local(4096)), "(sample @brick (mul uv 4096,4096))");
+  ValueId half = Op2(Op::kSub, Op2(Op::kMul, uv, Floats({4, 4})), Floats({0.5, 0.5}));
+  EXPECT_EQ(sampled(again, half), "(sample @brick (sub (mul uv 4,4) 0.5,0.5))");
+}
+
 TEST_F(StructureRulesTest, DivisionsByPowersOfTwoBecomeShifts) {
   auto u = [&](uint32_t number) { return builder_.Uint(number); };
   auto i = [&](int32_t number) { return builder_.Int(number); };
@@ -167,8 +193,7 @@ TEST_F(StructureRulesTest, ShiftsOfShiftsAreOne) {
   EXPECT_EQ(Text(shifted(Op2(Op::kMul, shifted(u_, 16), u(16)), 16)), "(shr u 28)");
   EXPECT_EQ(Text(shifted(Op2(Op::kMul, shifted(u_, 16), u(12)), 16)),
             "(shr (mul (shr u 16) 12) 16)");
-  EXPECT_EQ(Text(shifted(Op2(Op::kMul, shifted(u_, 3), u(16)), 16)),
-            "(shr (mul (shr u 3) 16) 16)")
+  EXPECT_EQ(Text(shifted(Op2(Op::kMul, shifted(u_, 3), u(16)), 16)), "(shr (mul (shr u 3) 16) 16)")
       << "the product loses a bit";
 }
 
