@@ -447,6 +447,12 @@ std::optional<ir::MapFacts> FactsOf(const graph::Texture& texture) {
   return facts;
 }
 
+bool Repeats(const graph::Texture& texture) {
+  constexpr graph::TextureWrap kRepeat = graph::TextureWrap::kRepeat;
+  return texture.wrap_u == kRepeat && texture.wrap_v == kRepeat &&
+         (!texture.is_3d || texture.wrap_w == kRepeat);
+}
+
 void Program::DeclareGlobals() {
   parameters_.resize(graph.parameters.size());
   textures_.resize(graph.graph->textures.size());
@@ -482,8 +488,7 @@ void Program::DeclareGlobals() {
                                      graph::SamplerType(texture),
                                      {},
                                      texture.filter == graph::TextureFilter::kLinear,
-                                     texture.wrap_u == graph::TextureWrap::kRepeat &&
-                                         texture.wrap_v == graph::TextureWrap::kRepeat,
+                                     Repeats(texture),
                                      FactsOf(texture)});
   }
 }

@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "compiler/compile.h"
+#include "compiler/ir/print.h"
 #include "tests/blocks/mean_error.h"
 
 namespace texgraph::blocks {
@@ -81,8 +83,8 @@ Jumps JumpsAt(const std::string& text, const std::string& folder, int pixels, bo
 
 TEST(TilingBorders, DoNotShowFromAfar) {
   const std::string text = TextOf("aperiodic_tiling"), folder = FolderOf("aperiodic_tiling");
-  // From four texels a pixel on; nearer, the picture's own lower and upper edges count for more than
-  // the filter. To four pixels a pattern: with two, few differences lie inside.
+  // From four texels a pixel on; nearer, the picture's own lower and upper edges count for more
+  // than the filter. To four pixels a pattern: with two, few differences lie inside.
   for (int pixels : {32, 16, 8, 4}) {
     for (bool upright : {false, true}) {
       const Jumps jumps = JumpsAt(text, folder, pixels, upright);
@@ -135,6 +137,30 @@ TEST(TilingSpecialisation, ChangesNothing) {
             << c.graph << " with " << c.to << ", pixels of " << pixel;
       }
     }
+  }
+}
+
+// Where a texture repeats in all directions its coordinate need not jump; else it must.
+TEST(RepeatedCoordinates, NeedEveryDirection) {
+  auto lowered = [](const std::string& wrap) {
+    Sources sources;
+    Diagnostics diagnostics;
+    const std::string text = R"({"texgraph": 1, "textures": {"trees": {"sheet": "trees.png",
+      "grid": [12, 12], "pack": "volume", )" +
+                             wrap +
+                             R"(}}, "nodes": {
+      "grid": {"block": "virtual_tile_map", "in": {"uv": "position", "cells": [8, 8, 8]}},
+      "tree": {"block": "reference_texture", "in": {"patterns": "trees", "tile": "grid",
+               "pattern": 0}}}, "outputs": {"color": "tree"}})";
+    SourceId source = sources.Add(FolderOf("volumetric_trees") + "g.json", text);
+    auto done = Lower(source, graph::DocumentFormat::kJson, {}, sources, diagnostics);
+    EXPECT_TRUE(done) << FormatDiagnostics(diagnostics, sources, false);
+    return done ? ir::Print(*done->module) : "";
+  };
+  EXPECT_EQ(lowered(R"("wrap": "repeat")").find("sample_grad"), std::string::npos);
+  for (const char* wrap : {R"("wrap": "clamp", "wrap_u": "repeat", "wrap_v": "repeat")",
+                           R"("wrap_u": "mirror")", R"("wrap_v": "clamp")"}) {
+    EXPECT_NE(lowered(wrap).find("sample_grad"), std::string::npos) << wrap;
   }
 }
 
