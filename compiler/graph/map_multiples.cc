@@ -15,7 +15,7 @@ struct Size {
 // Nothing where the texture is no map, or its picture could not be read.
 Size SizeOfMap(const Texture& texture) {
   if (texture.kind == TextureKind::kSprites) return {texture.sprites.columns, texture.sprites.rows};
-  return {texture.map.columns, texture.map.rows};
+  return {texture.map.width, texture.map.height};
 }
 
 void CheckPort(const CheckedGraph& graph, const CheckedNode& node, const blocks::Port& port,

@@ -85,7 +85,7 @@ class RangeChecker {
         return {texture.PatternCount(), fmt::format("the patterns of '{}'", texture.name)};
       }
       if (texture.kind != TextureKind::kLists) return {};
-      return {texture.map.rows, fmt::format("the lists of '{}'", texture.name)};
+      return {texture.map.height, fmt::format("the lists of '{}'", texture.name)};
     }
     const auto* constant = std::get_if<ConstantValue>(&source);
     if (!constant || !constant->value) return {};

@@ -61,7 +61,7 @@ void GraphReader::ReadMap(const TextureKeys& keys, Owner owner, Texture& texture
 void GraphReader::ReadMapRows(const DocumentNode& rows, Owner owner, Texture& texture) {
   if (rows.child_count == 0) return BadValue(rows, "a map has at least one row of numbers");
   const DocumentNode& first = document_.nodes[rows.first_child];
-  NumberMap& map = texture.map;
+  std::vector<std::vector<int32_t>> numbers;
   for (const DocumentNode& row : document_.children(rows)) {
     if (!Is(&row, DocumentKind::kArray, owner)) return;
     if (row.child_count == 0) return BadValue(row, "a row of a map has at least one number");
@@ -74,16 +74,10 @@ void GraphReader::ReadMapRows(const DocumentNode& rows, Owner owner, Texture& te
           .AddNote(first.range, "the first row is here");
       return;
     }
-    if (!ReadNumbers(row, "a map", map.numbers)) return;
+    if (!ReadNumbers(row, "a map", numbers.emplace_back())) return;
   }
-  map.columns = first.child_count;
-  map.rows = rows.child_count;
-  for (uint32_t y = 0; y < map.rows / 2; ++y) {
-    auto row = map.numbers.begin() + std::ptrdiff_t{y} * map.columns;
-    std::swap_ranges(row, row + map.columns,
-                     map.numbers.begin() + std::ptrdiff_t{map.rows - 1 - y} * map.columns);
-  }
-  CheckMapSize(map.columns, map.rows, texture, rows.range, diagnostics_);
+  texture.map = MapOfRows(numbers);
+  CheckMapSize(texture.map.width, texture.map.height, texture, rows.range, diagnostics_);
 }
 
 bool GraphReader::ReadNumbers(const DocumentNode& row, std::string_view what,
@@ -150,7 +144,7 @@ void GraphReader::ReadLists(const TextureKeys& keys, Owner owner, Texture& textu
   if (!CheckMapSize(longest->child_count, lists.child_count, texture, lists.range, diagnostics_)) {
     return;
   }
-  std::vector<int32_t> numbers;
+  std::vector<std::vector<int32_t>> numbers;
   for (const DocumentNode& list : document_.children(lists)) {
     if (longest->child_count % list.child_count != 0) {
       diagnostics_
@@ -161,14 +155,9 @@ void GraphReader::ReadLists(const TextureKeys& keys, Owner owner, Texture& textu
           .AddNote(longest->range, "the longest list is here");
       return;
     }
-    numbers.clear();
-    if (!ReadNumbers(list, "a list", numbers)) return;
-    for (uint32_t i = 0; i < longest->child_count; ++i) {
-      texture.map.numbers.push_back(numbers[i % numbers.size()]);
-    }
+    if (!ReadNumbers(list, "a list", numbers.emplace_back())) return;
   }
-  texture.map.columns = longest->child_count;
-  texture.map.rows = lists.child_count;
+  texture.map = MapOfLists(numbers).value();
 }
 
 void GraphReader::ReadBinding(const TextureKeys& keys, Owner owner, Texture& texture) {

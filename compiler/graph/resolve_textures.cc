@@ -70,7 +70,7 @@ struct Counted {
 };
 
 Counted CountedBy(const Graph& graph, const Texture& of) {
-  if (of.kind == TextureKind::kLists) return {"lists", of.map.rows};
+  if (of.kind == TextureKind::kLists) return {"lists", of.map.height};
   if (of.kind != TextureKind::kSprites) return {"patterns", of.PatternCount()};
   if (!of.of) return {"patterns of sprites", 0};
   return {"patterns of sprites", graph.textures[*of.of].PatternCount()};

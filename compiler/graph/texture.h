@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "compiler/base/diagnostics.h"
+#include "compiler/base/number_map.h"
 #include "compiler/base/source.h"
 
 namespace texgraph::graph {
@@ -45,14 +46,6 @@ enum class TextureKind : uint8_t { kFile, kLayers, kSheet, kMap, kLists, kSprite
 
 // "pack": how the patterns of layers or a sheet lie in one texture.
 enum class TexturePack : uint8_t { kArray, kAtlas, kVolume };
-
-// Whole numbers in rows; row 0 is v = 0. -1 is nothing.
-struct NumberMap {
-  uint32_t columns = 0;
-  uint32_t rows = 0;
-  std::vector<int32_t> numbers;  // columns * rows; none while a picture is not decoded
-  bool operator==(const NumberMap&) const = default;
-};
 
 struct LegendColor {  // "#3a7d2c"
   std::array<uint8_t, 3> rgb{};

@@ -16,7 +16,7 @@ namespace {
 // Every number of a map's picture must be one of what it counts. Pictures have their pixels
 // counted from the left top corner, maps from v = 0.
 bool CheckNumbers(const graph::Graph& graph, const graph::Texture& texture,
-                  const textures::NumberMap& map, Diagnostics& diagnostics) {
+                  const NumberMap& map, Diagnostics& diagnostics) {
   const std::optional<graph::Reach> reach = graph::ReachOf(graph, texture);
   if (!reach) return true;
   const std::optional<size_t> wrong = textures::FindOutOfRange(map, reach->count);
@@ -42,7 +42,7 @@ void DecodeMap(const graph::Graph& graph, graph::Texture& texture, const std::st
   for (const graph::LegendColor& color : texture.legend) legend.push_back(color.rgb);
   auto map = textures::MapOfImage(*image, legend, texture.name, range, diagnostics);
   if (!map || !CheckNumbers(graph, texture, *map, diagnostics)) return;
-  texture.map = {map->width, map->height, std::move(map->numbers)};
+  texture.map = std::move(*map);
 }
 
 // Every file must be an image that can be read, the layers of one array equally large, and a mask

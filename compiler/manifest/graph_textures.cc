@@ -21,10 +21,6 @@ static_assert(graph::kMaxSpriteTexels == textures::kMaxSpriteTexels &&
 using graph::TextureKind;
 using textures::TextureData;
 
-textures::NumberMap NumbersOf(const graph::Texture& texture) {
-  return {texture.map.columns, texture.map.rows, texture.map.numbers};
-}
-
 class Maker {
  public:
   Maker(const graph::Graph& graph, const std::string& folder, const Roots& roots,
@@ -40,7 +36,7 @@ class Maker {
         return MakePictures(texture);
       case TextureKind::kMap:
       case TextureKind::kLists:
-        return textures::MapTexture(NumbersOf(texture));
+        return textures::MapTexture(texture.map);
       case TextureKind::kSprites:
         return MakeSprites(texture);
       case TextureKind::kMeans:
@@ -108,11 +104,10 @@ class Maker {
     const graph::Texture& map = graph_.textures[*texture.of];
     const graph::Texture& counted = graph_.textures[*map.of];
     if (counted.kind == TextureKind::kLists) {
-      means = textures::ListMeans(NumbersOf(counted), means, patterns.alpha_is_opacity);
+      means = textures::ListMeans(counted.map, means, patterns.alpha_is_opacity);
     }
-    return textures::MeansTexture(NumbersOf(map), means, texture.dithered,
-                                  patterns.alpha_is_opacity, texture.name, texture.range,
-                                  diagnostics_);
+    return textures::MeansTexture(map.map, means, texture.dithered, patterns.alpha_is_opacity,
+                                  texture.name, texture.range, diagnostics_);
   }
 
   const graph::Graph& graph_;

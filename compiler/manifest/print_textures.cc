@@ -187,7 +187,7 @@ class TexturePrinter {
       json_.Integer("layers", texture_.sprites.layers);
     } else {
       json_.String("holds", ThingsOf(graph_, texture_));
-      PrintSides("cells", {texture_.map.columns, texture_.map.rows});
+      PrintSides("cells", {texture_.map.width, texture_.map.height});
     }
     if (const auto reach = graph::ReachOf(graph_, texture_)) {
       json_.String("of", reach->name);

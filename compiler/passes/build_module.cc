@@ -442,7 +442,7 @@ std::optional<ir::MapFacts> FactsOf(const graph::Texture& texture) {
   if (texture.kind == graph::TextureKind::kSprites) {
     return ir::MapFacts{texture.sprites.columns, texture.sprites.rows, texture.sprites.layers, {}};
   }
-  ir::MapFacts facts{texture.map.columns, texture.map.rows, 1, {}};
+  ir::MapFacts facts{texture.map.width, texture.map.height, 1, {}};
   if (texture.is_constant) facts.values = texture.map.numbers;
   return facts;
 }

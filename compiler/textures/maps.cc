@@ -90,16 +90,6 @@ std::optional<int32_t> NumberOf(const Legend& legend, const MapColor& color) {
 
 }  // namespace
 
-NumberMap MapOfRows(std::span<const std::vector<int32_t>> rows) {
-  NumberMap map;
-  map.height = static_cast<uint32_t>(rows.size());
-  map.width = rows.empty() ? 0 : static_cast<uint32_t>(rows[0].size());
-  map.numbers.reserve(size_t{map.width} * map.height);
-  for (size_t i = rows.size(); i-- > 0;)
-    map.numbers.insert(map.numbers.end(), rows[i].begin(), rows[i].end());
-  return map;
-}
-
 std::optional<NumberMap> MapOfImage(const Image& image,
                                     std::span<const std::array<uint8_t, 3>> legend,
                                     std::string_view name, SourceRange range,
@@ -131,40 +121,11 @@ std::optional<NumberMap> MapOfImage(const Image& image,
   return map;
 }
 
-std::optional<NumberMap> MapOfLists(std::span<const std::vector<int32_t>> lists) {
-  size_t longest = 0;
-  for (const auto& list : lists) longest = std::max(longest, list.size());
-  NumberMap map;
-  map.width = static_cast<uint32_t>(longest);
-  map.height = static_cast<uint32_t>(lists.size());
-  map.numbers.reserve(longest * lists.size());
-  for (const auto& list : lists) {
-    if (list.empty() || longest % list.size() != 0) return std::nullopt;
-    for (size_t i = 0; i < longest; ++i) map.numbers.push_back(list[i % list.size()]);
-  }
-  return map;
-}
-
 std::optional<size_t> FindOutOfRange(const NumberMap& map, uint32_t count) {
   const auto bad = std::ranges::find_if(
       map.numbers, [count](int32_t n) { return n < -1 || n >= static_cast<int64_t>(count); });
   if (bad == map.numbers.end()) return std::nullopt;
   return static_cast<size_t>(bad - map.numbers.begin());
-}
-
-std::vector<double> PatternWeights(const NumberMap& map, uint32_t count) {
-  std::vector<uint64_t> drawn(count);
-  uint64_t all = 0;
-  for (int32_t number : map.numbers) {
-    if (number < 0 || static_cast<uint32_t>(number) >= count) continue;
-    ++drawn[static_cast<uint32_t>(number)];
-    ++all;
-  }
-  std::vector<double> weights(count);
-  if (all == 0) return weights;
-  for (size_t i = 0; i < count; ++i)
-    weights[i] = static_cast<double>(drawn[i]) / static_cast<double>(all);
-  return weights;
 }
 
 TextureData MapTexture(const NumberMap& map, ir::Wrap wrap_u, ir::Wrap wrap_v) {

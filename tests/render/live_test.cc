@@ -235,7 +235,7 @@ TEST(LiveRendererTest, TexelsThatAreNotThere) {
 
 TEST(LiveRendererTest, MapsTakeWholeNumbers) {
   for (int32_t largest : {40, 5000}) {  // halves, floats
-    textures::NumberMap map{4, 2, {0, 1, 2, 3, -1, 5, 6, largest}};
+    NumberMap map{4, 2, {0, 1, 2, 3, -1, 5, 6, largest}};
     const auto request_for = [&] {
       RenderRequest request = ShaderRequest(
           "uniform sampler2D map;",

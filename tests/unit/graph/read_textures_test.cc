@@ -81,16 +81,16 @@ TEST(ReadTextures, ReadsMaps) {
   ASSERT_TRUE(read.graph) << read.Messages();
   const Texture& where = Named(*read.graph, "where");
   EXPECT_EQ(where.kind, TextureKind::kMap);
-  EXPECT_EQ(where.map.columns, 2u);
-  EXPECT_EQ(where.map.rows, 3u);
+  EXPECT_EQ(where.map.width, 2u);
+  EXPECT_EQ(where.map.height, 3u);
   // The first row that is written is the top one, and row 0 of a texture the lowest.
   EXPECT_THAT(where.map.numbers, ElementsAre(1, 0, 1, -1, 0, 1));
   EXPECT_EQ(where.filter, TextureFilter::kNearest);
   EXPECT_FALSE(where.mipmaps);
   EXPECT_FALSE(where.is_constant);
   const Texture& mix = Named(*read.graph, "mixed");
-  EXPECT_EQ(mix.map.columns, 4u);
-  EXPECT_EQ(mix.map.rows, 3u);
+  EXPECT_EQ(mix.map.width, 4u);
+  EXPECT_EQ(mix.map.height, 3u);
   EXPECT_THAT(mix.map.numbers, ElementsAre(0, 0, 1, 3, 2, 3, 2, 3, 1, 1, 1, 1));
   EXPECT_TRUE(mix.is_constant);
   EXPECT_EQ(read.graph->textures[*mix.of].name, "ground");

@@ -91,17 +91,6 @@ TEST(MapsTest, FindsNumbersThatMeanNothing) {
   EXPECT_EQ(FindOutOfRange(map, 4), 2u);
 }
 
-TEST(MapsTest, WeightsCountEachListAlike) {
-  // The list { 4 } is drawn as often as the others: its pattern has a third of all.
-  const auto map = MapOfLists(std::vector<Numbers>{{0, 0, 1, 5}, {2, -1}, {4}});
-  ASSERT_TRUE(map);
-  const std::vector<double> weights = PatternWeights(*map, 5);  // 5 is beyond
-  // Of the 12 drawings 2 are empty and 1 is beyond.
-  const double expected[] = {2 / 9.0, 1 / 9.0, 2 / 9.0, 0, 4 / 9.0};
-  for (size_t i = 0; i < 5; ++i) EXPECT_DOUBLE_EQ(weights[i], expected[i]) << i;
-  EXPECT_EQ(PatternWeights(MapOfRows(std::vector<Numbers>{{-1}}), 2), (std::vector<double>{0, 0}));
-}
-
 TEST(MapsTest, TexturesHoldTheNumbers) {
   for (int32_t largest : {2048, 2049, kMaxMapNumber}) {
     const NumberMap map = MapOfRows(std::vector<Numbers>{{-1, largest}, {0, 1}});
