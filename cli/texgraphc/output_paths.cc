@@ -93,6 +93,9 @@ std::optional<OutputPaths> OutputPlanner::Plan(const Compiled& compiled, Diagnos
       problem = "it is one of the files that are read";
     } else if (!Take(*path)) {
       problem = "another output goes there";
+      if (options_.graphs.size() > 1) {
+        problem += "; graphs of one name differ by a key \"name\", or go to two folders";
+      }
     }
     if (problem.empty()) continue;
     diagnostics.Error(DiagnosticKind::kUsage, {},

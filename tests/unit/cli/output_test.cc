@@ -141,10 +141,39 @@ TEST_F(Output, NoTwoOutputsGoToOneFile) {
   std::filesystem::create_directory(folder / "out");
   Outcome outcome = Run({"wall.json", "again.json", "-o", "out"});
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_THAT(outcome.error, HasSubstr("'out/wall.frag': another output goes there"));
+  EXPECT_THAT(outcome.error, HasSubstr("'out/wall.frag': another output goes there; graphs of "
+                                       "one name differ by a key \"name\""));
   EXPECT_EQ(Run({"wall.json", "-o", "x.frag", "--manifest", "./x.frag"}).exit_code, 2);
   EXPECT_EQ(Run({"wall.json", "-o", "x.frag", "-MF", "x.json"}).exit_code, 2);
   EXPECT_EQ(Run({"wall.json", "-o", "-", "--manifest", "-"}).exit_code, 2);
+}
+
+// The files of derived textures go by the graph's name; those of one run are kept apart.
+TEST_F(Output, GraphsOfOneNameDoNotShareTextures) {
+  const auto graph = [](int number) {
+    return R"({"texgraph": 1, "textures": {"m": {"map": [[0, )" + std::to_string(number) +
+           R"(]]}}, "nodes": {"g": {"block": "virtual_tile_map", "in": {}},
+              "w": {"block": "explicit_indirection_map", "in": {"map": "m", "tile": "g"}}},
+              "outputs": {"height": "w"}})";
+  };
+  folder.Write("map.json", graph(1));
+  folder.Write("map.yaml", graph(2));
+  std::filesystem::create_directory(folder / "out");
+  for (const char* jobs : {"1", "2"}) {
+    Outcome outcome = Run({"map.json", "map.yaml", "-o", "out", "-j", jobs});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.error, HasSubstr("another output goes there; graphs of one name"));
+  }
+  const std::string first = folder.Read("out/map.m.ktx2");
+  EXPECT_EQ(Run({"map.json", "-o", "alone.frag"}).exit_code, 0);
+  EXPECT_NE(first, "");
+  EXPECT_EQ(folder.Read("map.m.ktx2"), first);
+  // With a name of its own each has its own.
+  folder.Write("map.yaml", graph(2).insert(1, "\"name\": \"other\", "));
+  EXPECT_EQ(Run({"map.json", "map.yaml", "-o", "out"}).exit_code, 0);
+  EXPECT_EQ(folder.Read("out/map.m.ktx2"), first);
+  EXPECT_NE(folder.Read("out/other.m.ktx2"), "");
+  EXPECT_NE(folder.Read("out/other.m.ktx2"), first);
 }
 
 TEST_F(Output, InputsAreNeverOverwritten) {
