@@ -183,6 +183,7 @@ class Printer {
     if (port.ordered) add("the least first");
     if (port.not_below) add("not below " + ports[*port.not_below].name);
     if (port.multiple_of) add("multiples of the size of " + ports[*port.multiple_of].name);
+    if (port.grid_of) add("if nothing is given, the grid of " + ports[*port.grid_of].name);
     if (port.transitions_of) add("for the corners of " + ports[*port.transitions_of].name);
     if (port.below) add("counts " + ports[*port.below].name);
     std::string words;

@@ -61,6 +61,9 @@ struct Port {
   // "@multiple_of name": columns and rows are multiples of those of the texture at that input, if
   // its size is known when the shader is made.
   std::optional<uint32_t> multiple_of;
+  // "@grid_of name": without a value it is the columns and rows of the patterns that the texture at
+  // that input packs, and it has no other value.
+  std::optional<uint32_t> grid_of;
   // "@transitions name": for m families, one more than the greatest number of the array at that
   // input, m^4 patterns, one for each way in which the four corners of a tile can be of families.
   // None is below 0 where two corners differ.

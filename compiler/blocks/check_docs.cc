@@ -38,9 +38,9 @@ struct ParameterDoc {
   std::vector<Setting> settings;
 };
 
-constexpr std::string_view kInlineTags[] = {
-    "@default",  "@length",      "@range",       "@unit",  "@ordered", "@not_below",
-    "@computed", "@multiple_of", "@transitions", "@below", "@one_of"};
+constexpr std::string_view kInlineTags[] = {"@default", "@length",      "@range",    "@unit",
+                                            "@ordered", "@not_below",   "@computed", "@multiple_of",
+                                            "@grid_of", "@transitions", "@below",    "@one_of"};
 constexpr std::string_view kTags[] = {"@param", "@return", "@source"};
 
 bool IsBlank(char c) { return c == ' ' || c == '\t'; }
@@ -315,7 +315,7 @@ class DocChecker {
     // The default is checked against the range.
     for (std::string_view tag :
          {"@unit", "@range", "@length", "@default", "@ordered", "@not_below", "@multiple_of",
-          "@transitions", "@below", "@one_of", "@computed"}) {
+          "@grid_of", "@transitions", "@below", "@one_of", "@computed"}) {
       for (const Setting& setting : doc->settings) {
         if (setting.tag.text == tag) SetSetting(port, setting, is_input);
       }
@@ -485,7 +485,7 @@ class DocChecker {
 
   // Set when all inputs are known.
   static bool NamesInputs(std::string_view tag) {
-    return tag == "@ordered" || tag == "@not_below" || tag == "@multiple_of" ||
+    return tag == "@ordered" || tag == "@not_below" || tag == "@multiple_of" || tag == "@grid_of" ||
            tag == "@transitions" || tag == "@below";
   }
 
@@ -503,7 +503,8 @@ class DocChecker {
     for (const Setting& setting : doc->settings) {
       if (setting.tag.text == "@ordered") SetOrdered(port, setting);
       if (setting.tag.text == "@not_below") SetNotBelow(overload, port, setting);
-      if (setting.tag.text == "@multiple_of") SetMultipleOf(overload, port, setting);
+      if (setting.tag.text == "@multiple_of") SetSizeOf(overload, port, setting, port.multiple_of);
+      if (setting.tag.text == "@grid_of") SetSizeOf(overload, port, setting, port.grid_of);
       if (setting.tag.text == "@transitions") SetTransitions(overload, port, setting);
       if (setting.tag.text == "@below") SetBelow(overload, port, setting);
     }
@@ -533,15 +534,18 @@ class DocChecker {
     return nullptr;
   }
 
-  void SetMultipleOf(const Overload& overload, Port& port, const Setting& setting) {
-    const Port* map = FindInput(overload, setting);
-    if (!map) return;
+  // Columns and rows that go by a texture's: "@multiple_of", "@grid_of".
+  void SetSizeOf(const Overload& overload, const Port& port, const Setting& setting,
+                 std::optional<uint32_t>& size_of) {
+    const Port* texture = FindInput(overload, setting);
+    if (!texture) return;
     if (port.kind != PortKind::kTemplate || port.type != ir::kIvec2 ||
-        map->kind != PortKind::kTexture) {
+        texture->kind != PortKind::kTexture) {
       return Error(setting.tag.range,
-                   "'@multiple_of' is for a 'const ivec2', and names an input that is a texture");
+                   "'" + std::string(setting.tag.text) +
+                       "' is for a 'const ivec2', and names an input that is a texture");
     }
-    port.multiple_of = static_cast<uint32_t>(map - overload.inputs.data());
+    size_of = static_cast<uint32_t>(texture - overload.inputs.data());
   }
 
   bool IsListOfInts(const Port& port) const {

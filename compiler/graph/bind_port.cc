@@ -183,9 +183,6 @@ void SubgraphChecker::ReportWord(const Target& target, const Argument& argument)
                   Printable(argument.text, 64), DidYouMean(argument.text, words))));
 }
 
-namespace {
-
-// The key that makes a texture what it is, for messages.
 std::string_view WhatItHas(const Texture& texture) {
   if (texture.pack == TexturePack::kAtlas) return "\"pack\": \"atlas\"";
   if (texture.pack == TexturePack::kVolume) return "\"pack\": \"volume\"";
@@ -207,8 +204,6 @@ std::string_view WhatItHas(const Texture& texture) {
   }
   return {};
 }
-
-}  // namespace
 
 std::optional<BoundPort> SubgraphChecker::BindTexture(const Target& target,
                                                       const Argument& argument,

@@ -29,7 +29,7 @@ const Input* FindInput(const Node& node, std::string_view port) {
 }
 
 bool MustBeConnected(const Port& port) {
-  return !port.default_value.valid() && port.default_input.empty();
+  return !port.default_value.valid() && port.default_input.empty() && !port.grid_of;
 }
 
 bool HasAllNames(const Overload& overload, const Node& node) {
@@ -82,11 +82,13 @@ CheckedNode SubgraphChecker::BindNode(uint32_t index) {
     Target target{port, {"port", port.name, "node", node.name, port.range}};
     const Input* input = FindInput(node, port.name);
     std::optional<BoundPort> bound =
-        input ? Bind(target, input->argument, arguments[input - node.inputs.data()])
-              : BindDefault(target, node.range);
+        input          ? Bind(target, input->argument, arguments[input - node.inputs.data()])
+        : port.grid_of ? BindGrid(target, *overload, node)
+                       : BindDefault(target, node.range);
     if (bound) checked.inputs.push_back(std::move(*bound));
   }
   CheckPortOrder(checked, *overload);
+  CheckGrids(checked, *overload);
   // With a port that is wrong another overload may have been meant.
   state.certain = state.candidates.size() == 1 || checked.inputs.size() == overload->inputs.size();
   return checked;
@@ -158,7 +160,10 @@ const Overload* SubgraphChecker::ReportNoOverload(uint32_t index,
     if (IsComplete(overload, node)) complete.push_back(&overload);
   }
   if (!complete.empty()) {
-    if (!ReportPortThatNeverFits(index, arguments, complete)) ReportSignatures(index, arguments);
+    if (!ReportPortThatNeverFits(index, arguments, complete) &&
+        !ReportPortBesideTexture(index, arguments, complete)) {
+      ReportSignatures(index, arguments);
+    }
     return nullptr;
   }
   if (named.empty()) {
@@ -251,6 +256,64 @@ bool SubgraphChecker::ReportPortThatNeverFits(uint32_t index,
                     check_.module.types.Text(got))));
   }
   return found;
+}
+
+// Where a texture at a port says which overloads are meant: reports the first port that none of
+// these lets take what stands there.
+bool SubgraphChecker::ReportPortBesideTexture(uint32_t index,
+                                              const std::vector<Resolved>& arguments,
+                                              const std::vector<const Overload*>& named) {
+  const std::vector<Input>& inputs = subgraph_.nodes[index].inputs;
+  auto port_of = [&](const Overload* overload, size_t i) -> const Port& {
+    return *FindPort(overload->inputs, inputs[i].port);
+  };
+  auto fits = [&](const Overload* overload, size_t i) {
+    return PortCost(port_of(overload, i), inputs[i].argument, arguments[i]).has_value();
+  };
+  for (size_t t = 0; t < inputs.size(); ++t) {
+    if (arguments[t].kind != Resolved::Kind::kSymbol ||
+        arguments[t].symbol.kind != Kind::kTexture) {
+      continue;
+    }
+    std::vector<const Overload*> meant;
+    std::ranges::copy_if(named, std::back_inserter(meant),
+                         [&](const Overload* overload) { return fits(overload, t); });
+    for (size_t i = 0; i < inputs.size(); ++i) {
+      const ir::TypeId got = arguments[i].type;
+      if (!got.valid() || meant.empty() ||
+          std::ranges::any_of(meant, [&](const Overload* overload) { return fits(overload, i); })) {
+        continue;
+      }
+      ReportBesideTexture(index, meant, i, got)
+          .AddNote(inputs[t].argument.range,
+                   fmt::format("beside '{}', which has {}", Printable(inputs[t].argument.text, 64),
+                               WhatItHas(check_.graph.textures[arguments[t].symbol.index])));
+      return true;
+    }
+  }
+  return false;
+}
+
+Diagnostic& SubgraphChecker::ReportBesideTexture(uint32_t index,
+                                                 const std::vector<const Overload*>& meant,
+                                                 size_t input, ir::TypeId got) {
+  const Node& node = subgraph_.nodes[index];
+  const ir::Types& types = check_.module.types;
+  std::vector<std::string> takes;
+  for (const Overload* overload : meant) {
+    std::string type = types.Text(FindPort(overload->inputs, node.inputs[input].port)->type);
+    if (std::ranges::find(takes, type) == takes.end()) takes.push_back(std::move(type));
+  }
+  const Port& port = *FindPort(meant[0]->inputs, node.inputs[input].port);
+  const Place place{"port", port.name, "node", node.name, port.range};
+  Diagnostic& error = check_.diagnostics.Error(
+      DiagnosticKind::kPortType, node.inputs[input].argument.range,
+      fmt::format(
+          "{} takes {}, got {}{}", place.Text(), ListOfTypes(takes, " or "), types.Text(got),
+          takes.size() == 1 ? ConvertingBlocks(got, types.ValueOf(port.type), types, check_.library)
+                            : ""));
+  place.AddNote(error);
+  return error;
 }
 
 // Every port fits some overload, but no overload fits them all.

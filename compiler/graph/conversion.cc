@@ -41,6 +41,15 @@ const Converter kConverters[] = {
     {"vec4", "Material", {"material"}},
 };
 
+// What nothing converts to, and the overload of a block that makes one.
+struct Maker {
+  std::string_view to, block, from;
+};
+constexpr Maker kMakers[] = {
+    {"Tile1", "virtual_tile_map", "float"},
+    {"Tile3", "virtual_tile_map", "vec3"},
+};
+
 }  // namespace
 
 std::optional<int> ConversionCost(ir::TypeId from, ir::TypeId to) {
@@ -61,6 +70,10 @@ std::string ConvertingBlocks(ir::TypeId from, ir::TypeId to, const ir::Types& ty
     for (std::string_view block : converter.blocks) {
       if (library.Exists(block)) found.push_back(block);
     }
+  }
+  for (const Maker& maker : kMakers) {
+    if (maker.to != to_name || !library.Exists(maker.block)) continue;
+    return fmt::format("; the block '{}' makes one of a {}", maker.block, maker.from);
   }
   if (found.empty()) return {};
   if (found.size() == 1) return fmt::format("; the block '{}' converts", found[0]);

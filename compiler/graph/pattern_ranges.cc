@@ -79,6 +79,10 @@ class RangeChecker {
   Count CountOf(const CheckedNode& node, uint32_t input) const {
     const Source& source = node.inputs[input].source;
     const blocks::Port& port = node.overload->inputs[input];
+    if (port.grid_of) {
+      const Count patterns = CountOf(node, *port.grid_of);
+      if (patterns.count > 0) return patterns;
+    }
     if (const auto* ref = std::get_if<TextureRef>(&source)) {
       const Texture& texture = TextureOf(*ref);
       if (texture.HasPatterns()) {

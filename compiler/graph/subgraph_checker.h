@@ -49,6 +49,9 @@ struct Resolved {
   ir::TypeId type;                   // of a value; invalid if it is none, or not known
 };
 
+// The key that makes a texture what it is, for messages.
+std::string_view WhatItHas(const Texture& texture);
+
 class SubgraphChecker {
  public:
   // `signature` is the function's own; null for the graph itself.
@@ -103,6 +106,10 @@ class SubgraphChecker {
   bool ReportUnknownPorts(uint32_t index);
   bool ReportPortThatNeverFits(uint32_t index, const std::vector<Resolved>& arguments,
                                const std::vector<const blocks::Overload*>& named);
+  bool ReportPortBesideTexture(uint32_t index, const std::vector<Resolved>& arguments,
+                               const std::vector<const blocks::Overload*>& named);
+  Diagnostic& ReportBesideTexture(uint32_t index, const std::vector<const blocks::Overload*>& meant,
+                                  size_t input, ir::TypeId got);
   void ReportSignatures(uint32_t index, const std::vector<Resolved>& arguments);
   std::string BlockText(uint32_t index) const;
 
@@ -146,6 +153,11 @@ class SubgraphChecker {
   // port_order.cc: least and greatest values.
   void CheckPortOrder(const CheckedNode& checked, const blocks::Overload& overload);
   void CheckNotBelow(const CheckedNode& checked, const blocks::Overload& overload, uint32_t most);
+
+  // pattern_grids.cc: columns and rows that a texture says.
+  std::optional<BoundPort> BindGrid(const Target& target, const blocks::Overload& overload,
+                                    const Node& node);
+  void CheckGrids(const CheckedNode& checked, const blocks::Overload& overload);
 
   // transition_sets.cc: patterns for all corners that differ.
   void CheckTransitions(const CheckedNode& checked, const blocks::Overload& overload,

@@ -36,7 +36,8 @@ vec4 reference_texture(sampler2DArray patterns, Tile1 tile, int pattern) {
 /// @param tile where it is drawn
 /// @param pattern which pattern, from 0; below 0 there is none, transparent black. Beyond the last
 ///   it is the last @below grid
-/// @param grid columns and rows of patterns @range 1 4096
+/// @param grid columns and rows of patterns; of a texture with the key `pack` they are known
+///   @grid_of patterns @range 1 4096
 vec4 reference_texture(sampler2D patterns, Tile tile, int pattern, const ivec2 grid) {
   ivec2 texels = textureSize(patterns, 0) / grid;
   // Halving a pattern goes on while its sides are even.

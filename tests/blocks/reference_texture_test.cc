@@ -98,6 +98,17 @@ TEST(ReferenceTextureTest, AtlasesNeverMixPatterns) {
   }
 }
 
+// What the texture says of its own grid nobody has to say again.
+TEST(ReferenceTextureTest, AtlasesKnowTheirGrid) {
+  const ir::Texture atlas = Atlas(3, 2, 8);
+  const std::string declaration = R"({"layers": ["moss.png", "moss.png", "moss.png", "moss.png",
+      "moss.png"], "pack": "atlas", "grid": [3, 2]})";
+  for (int pattern : {0, 1, 3, 4}) {
+    ExpectOnly(Draw(declaration, PatternPort(pattern), atlas, Scatter(50), {0.01, 0.01}),
+               ColorOf(pattern), std::to_string(pattern));
+  }
+}
+
 // Within a pattern an atlas shows what a texture of the pattern alone does, away from its border.
 TEST(ReferenceTextureTest, AtlasesShowTheirPatternsInPlace) {
   constexpr int kSide = 8;

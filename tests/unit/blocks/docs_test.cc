@@ -325,6 +325,28 @@ TEST(BlockDocs, MultiplesOfTexturesSizes) {
   EXPECT_EQ(report("d it @multiple_of c"), "2:17: an output has no '@multiple_of' [block-doc]\n");
 }
 
+TEST(BlockDocs, GridsOfTextures) {
+  TestLibrary test(Files{{"x.glsl",
+                          "/// X.\n/// @param grid columns and rows @grid_of atlas\n"
+                          "float x(const ivec2 grid, sampler2D atlas, float a) { return a; }"}});
+  const Block* block = test.library.Find("x");
+  ASSERT_NE(block, nullptr) << test.Report();
+  EXPECT_EQ(block->overloads[0].inputs[0].grid_of, 1u);
+  EXPECT_FALSE(block->overloads[0].inputs[2].grid_of);
+  auto report = [](std::string_view doc) {
+    return ReportOf("/// X.\n/// @param " + std::string(doc) +
+                    "\nfloat x(const ivec2 a, ivec2 b, sampler2D c, out ivec2 d) {\n"
+                    "  d = b; return 1.0; }");
+  };
+  EXPECT_EQ(report("a it @grid_of e"), "2:26: there is no input 'e' [block-doc]\n");
+  const char* wrong =
+      "2:17: '@grid_of' is for a 'const ivec2', and names an input that is a texture "
+      "[block-doc]\n";
+  EXPECT_EQ(report("a it @grid_of b"), wrong);
+  EXPECT_EQ(report("b it @grid_of c"), wrong);
+  EXPECT_EQ(report("d it @grid_of c"), "2:17: an output has no '@grid_of' [block-doc]\n");
+}
+
 TEST(BlockDocs, TransitionsOfFamilies) {
   TestLibrary test(
       Files{{"x.glsl",
@@ -351,12 +373,12 @@ TEST(BlockDocs, TransitionsOfFamilies) {
 }
 
 TEST(BlockDocs, WhatNumbersCount) {
-  TestLibrary test(Files{
-      {"x.glsl",
-       "/// X.\n/// @param i which @below list\n/// @return one @one_of list i\n"
-       "int x(int i, const int list[]) { return list[i]; }\n"
-       "/// @param i which @below map\n/// @return one @one_of map\n"
-       "int x(int i, sampler2D map) { return int(texelFetch(map, ivec2(i), 0).r); }"}});
+  TestLibrary test(
+      Files{{"x.glsl",
+             "/// X.\n/// @param i which @below list\n/// @return one @one_of list i\n"
+             "int x(int i, const int list[]) { return list[i]; }\n"
+             "/// @param i which @below map\n/// @return one @one_of map\n"
+             "int x(int i, sampler2D map) { return int(texelFetch(map, ivec2(i), 0).r); }"}});
   const Block* block = test.library.Find("x");
   ASSERT_NE(block, nullptr) << test.Report();
   EXPECT_EQ(block->overloads[0].inputs[0].below, 1u);

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Ports that repeat what a texture says of its patterns ("@grid_of"): they follow from the texture,
+// and a graph that gives them all the same gives them as the texture has them.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "compiler/graph/literal.h"
+#include "compiler/graph/subgraph_checker.h"
+
+namespace texgraph::graph {
+namespace {
+
+// Whether the texture's grid is that of its texels; a sheet in layers has none any more.
+bool HasGrid(const Texture& texture) { return texture.pack == TexturePack::kAtlas; }
+
+}  // namespace
+
+// A picture that was packed by another program says nothing: then the port is to be connected.
+std::optional<BoundPort> SubgraphChecker::BindGrid(const Target& target,
+                                                   const blocks::Overload& overload,
+                                                   const Node& node) {
+  const blocks::Port& port = target.port;
+  const std::string_view of = overload.inputs[*port.grid_of].name;
+  const auto input = std::ranges::find(node.inputs, of, &Input::port);
+  if (input == node.inputs.end()) return std::nullopt;  // it is missing, and reported
+  const Resolved& resolved = arguments_[input - node.inputs.begin()];
+  if (resolved.kind != Resolved::Kind::kSymbol || resolved.symbol.kind != Symbol::Kind::kTexture) {
+    return std::nullopt;  // reported
+  }
+  const Texture& texture = check_.graph.textures[resolved.symbol.index];
+  if (!HasGrid(texture)) return BindDefault(target, node.range);
+  const ir::ConstId grid = check_.module.Intern(port.type, texture.grid);
+  return BoundPort{ConstantValue{grid}, port.type, port.type, {}, node.range};
+}
+
+void SubgraphChecker::CheckGrids(const CheckedNode& checked, const blocks::Overload& overload) {
+  if (checked.inputs.size() != overload.inputs.size()) return;  // reported
+  for (size_t i = 0; i < overload.inputs.size(); ++i) {
+    const blocks::Port& port = overload.inputs[i];
+    if (!port.grid_of) continue;
+    const auto* grid = std::get_if<ConstantValue>(&checked.inputs[i].source);
+    const auto* ref = std::get_if<TextureRef>(&checked.inputs[*port.grid_of].source);
+    if (!grid || !grid->value || !ref) continue;
+    const Texture& texture = check_.graph.textures[ref->texture];
+    const std::span<const uint32_t> given = check_.module.Words(grid->value);
+    if (!HasGrid(texture) || std::ranges::equal(given, texture.grid)) continue;
+    const Place place{"port", port.name, "node", checked.node->name, port.range};
+    check_.diagnostics
+        .Error(DiagnosticKind::kPatternGrid, checked.inputs[i].range,
+               fmt::format("{} is {} x {}, but the patterns of '{}' lie in {} x {}; without a "
+                           "value it is as the texture says",
+                           place.Text(), static_cast<int32_t>(given[0]),
+                           static_cast<int32_t>(given[1]), texture.name, texture.grid[0],
+                           texture.grid[1]))
+        .AddNote(texture.grid_range, "the texture's grid is here");
+  }
+}
+
+}  // namespace texgraph::graph
