@@ -14,6 +14,7 @@
 
 #include "compiler/textures/image.h"
 #include "tests/unit/base/scratch_folder.h"
+#include "tests/unit/cli/page.h"
 #include "tests/unit/cli/program.h"
 
 namespace texgraph {
@@ -42,18 +43,6 @@ std::string Section(const std::string& heading) {
 }
 
 std::string SectionOfStep(int step) { return Section("Step " + std::to_string(step) + ":"); }
-
-// What stands between the fences of one language.
-std::vector<std::string> Fenced(const std::string& text, const std::string& language) {
-  const std::string fence = "```" + language + "\n";
-  std::vector<std::string> found;
-  for (size_t at = text.find(fence); at != std::string::npos; at = text.find(fence, at)) {
-    at += fence.size();
-    found.push_back(text.substr(at, text.find("```", at) - at));
-    at += found.back().size() + 3;
-  }
-  return found;
-}
 
 // Lines without the spaces and the comma around them: a comma comes and goes with the next line.
 std::vector<std::string> Lines(const std::string& text) {

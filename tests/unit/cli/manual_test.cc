@@ -4,12 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "tests/unit/base/scratch_folder.h"
+#include "tests/unit/cli/page.h"
 #include "tests/unit/cli/program.h"
 
 namespace texgraph {
@@ -18,20 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::string kRoot = TEXGRAPH_SOURCE_DIR "/";
-
-// The fenced texts of a page in one language.
-std::vector<std::string> Fenced(const std::string& page, const std::string& language) {
-  std::ifstream file(kRoot + page);
-  std::ostringstream read;
-  read << file.rdbuf();
-  const std::string text = read.str(), fence = "```" + language + "\n";
-  std::vector<std::string> found;
-  for (size_t at = text.find(fence); at != std::string::npos; at = text.find(fence, at)) {
-    at += fence.size();
-    found.push_back(text.substr(at, text.find("```", at) - at));
-  }
-  return found;
-}
 
 class Manual : public testing::Test {
  protected:
@@ -46,7 +32,7 @@ class Manual : public testing::Test {
   // Compiles every whole graph of the page; returns how many there are.
   size_t Compile(const std::string& page) {
     size_t count = 0;
-    for (const std::string& text : Fenced(page, "json")) {
+    for (const std::string& text : Fenced(ReadPage(page), "json")) {
       if (text.find("\"texgraph\": 1") == std::string::npos) continue;
       folder.Write("graph.json", text);
       Outcome outcome =
@@ -62,7 +48,7 @@ class Manual : public testing::Test {
 };
 
 TEST_F(Manual, GraphsCompile) {
-  for (const std::string& block : Fenced("docs/getting-started.md", "glsl"))
+  for (const std::string& block : Fenced(ReadPage("docs/getting-started.md"), "glsl"))
     folder.Write("blocks/shapes/stripes.glsl", block);
   EXPECT_EQ(Compile("README.md"), 1u);
   EXPECT_EQ(Compile("docs/getting-started.md"), 5u);
@@ -73,7 +59,7 @@ TEST_F(Manual, GraphsCompile) {
 TEST_F(Manual, OptionsOfCommandsExist) {
   size_t count = 0;
   for (const char* page : {"README.md", "docs/getting-started.md"}) {
-    for (const std::string& text : Fenced(page, "sh")) {
+    for (const std::string& text : Fenced(ReadPage(page), "sh")) {
       std::istringstream lines(text);
       for (std::string line; std::getline(lines, line);) {
         if (!line.starts_with("texgraphc ")) continue;
