@@ -34,5 +34,6 @@ int animation_map(float time, int frames, float phase, float rest, float rate, f
   float start = old_end + (at_end > 0.0 ? count - at_end : 0.0);
   float place = place_of(time + phase, count, time < old_end ? old_still : still);
   float shown = time >= old_end && time < start ? 0.0 : place;
-  return int(min(shown, count - 1.0));
+  // In integers: what becomes of a number that is none, or too large for an int, is not known.
+  return clamp(int(shown), 0, max(frames, 1) - 1);
 }

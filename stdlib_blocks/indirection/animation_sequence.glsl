@@ -16,5 +16,6 @@ int animation_sequence(float time, int frames, float phase, float rest) {
   float count = float(max(frames, 1));
   float still = max(rest, 0.0);
   float run = mod(time + phase, count + still) - still;
-  return int(clamp(run, 0.0, count - 1.0));
+  // In integers: what becomes of a number that is none, or too large for an int, is not known.
+  return clamp(int(run), 0, max(frames, 1) - 1);
 }

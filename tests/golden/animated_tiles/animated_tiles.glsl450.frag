@@ -54,7 +54,7 @@ int animation_map(float time, float phase, float rest, float rate, float old_rat
   float choice = time < old_end ? old_still : still;
   float place = max(mod(time + phase, 8.0 + choice) - choice, 0.0);
   float shown = old_end <= time && time < start ? 0.0 : place;
-  return int(min(shown, 7.0));
+  return clamp(int(shown), 0, 7);
 }
 
 // hash (random/hash.glsl)

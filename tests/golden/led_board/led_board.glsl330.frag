@@ -53,14 +53,14 @@ ivec2 wrap_cell(ivec2 cell) {
 // animation_sequence (indirection/animation_sequence.glsl)
 int animation_sequence_glow_step(float time, float phase) {
   float run = mod(time + phase, 8.0);
-  return int(clamp(run, 0.0, 7.0));
+  return clamp(int(run), 0, 7);
 }
 
 // animation_sequence (indirection/animation_sequence.glsl)
 int animation_sequence_flash(float time, float phase, float rest) {
   float still = max(rest, 0.0);
   float run = mod(time + phase, 8.0 + still) - still;
-  return int(clamp(run, 0.0, 7.0));
+  return clamp(int(run), 0, 7);
 }
 
 void main() {
