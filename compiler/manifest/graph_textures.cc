@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <map>
+#include <memory>
 #include <utility>
 
 #include "compiler/manifest/pictures.h"
@@ -21,11 +23,23 @@ static_assert(graph::kMaxSpriteTexels == textures::kMaxSpriteTexels &&
 using graph::TextureKind;
 using textures::TextureData;
 
+using Pictures = std::shared_ptr<const std::vector<textures::Image>>;
+
 class Maker {
  public:
   Maker(const graph::Graph& graph, const std::string& folder, const Roots& roots,
         Diagnostics& diagnostics)
       : graph_(graph), folder_(folder), roots_(roots), diagnostics_(diagnostics) {}
+
+  // Says that the texture of that index will be made. Pictures that several of these are made of
+  // are then read once.
+  void Announce(uint32_t index) {
+    const graph::Texture& texture = graph_.textures[index];
+    std::optional<uint32_t> pictures = index;
+    if (texture.kind == TextureKind::kMeans) pictures = graph::PatternsOf(graph_, index);
+    if (texture.IsMap() || !pictures) return;
+    ++readers_[graph::FirstEqualTexture(graph_, *pictures)].count;
+  }
 
   std::optional<TextureData> Make(uint32_t index) {
     const graph::Texture& texture = graph_.textures[index];
@@ -33,7 +47,7 @@ class Maker {
       case TextureKind::kFile:
       case TextureKind::kLayers:
       case TextureKind::kSheet:
-        return MakePictures(texture);
+        return MakePictures(texture, index);
       case TextureKind::kMap:
       case TextureKind::kLists:
         return textures::MapTexture(texture.map);
@@ -46,22 +60,37 @@ class Maker {
   }
 
  private:
-  // One picture for each pattern.
-  std::optional<std::vector<textures::Image>> ReadPictures(const graph::Texture& texture) {
+  // Those of ReadPictures, kept while another texture is to be made of them.
+  Pictures PicturesOf(uint32_t index) {
+    const uint32_t first = graph::FirstEqualTexture(graph_, index);
+    const auto reader = readers_.find(first);
+    if (reader == readers_.end()) return ReadPictures(graph_.textures[index]);
+    Reader& kept = reader->second;
+    if (!kept.pictures) kept.pictures = ReadPictures(graph_.textures[first]);
+    --kept.count;
+    return kept.count == 0 ? std::exchange(kept.pictures, nullptr) : kept.pictures;
+  }
+
+  // One picture for each pattern; null, and reported, if one cannot be read.
+  Pictures ReadPictures(const graph::Texture& texture) {
     std::vector<textures::Image> pictures;
     for (size_t layer = 0; layer < texture.files.size(); ++layer) {
       auto picture =
           textures::ReadPicture(PictureOf(texture, layer, folder_), diagnostics_, roots_);
-      if (!picture) return std::nullopt;
+      if (!picture) return nullptr;
       pictures.push_back(std::move(*picture));
     }
-    if (texture.kind != TextureKind::kSheet) return pictures;
-    return textures::CutSheet(pictures[0], texture.grid[0], texture.grid[1], texture.name,
-                              texture.grid_range, diagnostics_);
+    if (texture.kind == TextureKind::kSheet) {
+      auto cut = textures::CutSheet(pictures[0], texture.grid[0], texture.grid[1], texture.name,
+                                    texture.grid_range, diagnostics_);
+      if (!cut) return nullptr;
+      pictures = std::move(*cut);
+    }
+    return std::make_shared<const std::vector<textures::Image>>(std::move(pictures));
   }
 
-  std::optional<TextureData> MakePictures(const graph::Texture& texture) {
-    const auto pictures = ReadPictures(texture);
+  std::optional<TextureData> MakePictures(const graph::Texture& texture, uint32_t index) {
+    const Pictures pictures = PicturesOf(index);
     if (!pictures) return std::nullopt;
     const textures::TextureOptions options = OptionsOf(texture);
     if (texture.pack == graph::TexturePack::kAtlas) {
@@ -89,7 +118,7 @@ class Maker {
     const std::optional<uint32_t> found = graph::PatternsOf(graph_, index);
     if (!found) return std::nullopt;
     const graph::Texture& patterns = graph_.textures[*found];
-    const auto pictures = ReadPictures(patterns);
+    const Pictures pictures = PicturesOf(*found);
     if (!pictures) return std::nullopt;
     // However the patterns are packed, their means are those of single layers.
     textures::TextureOptions options = OptionsOf(patterns);
@@ -110,10 +139,16 @@ class Maker {
                                   texture.name, texture.range, diagnostics_);
   }
 
+  struct Reader {
+    uint32_t count = 0;  // of the textures that are still to be made of them
+    Pictures pictures;
+  };
+
   const graph::Graph& graph_;
   const std::string& folder_;
   const Roots& roots_;
   Diagnostics& diagnostics_;
+  std::map<uint32_t, Reader> readers_;  // by the first of equal textures
 };
 
 }  // namespace
@@ -152,12 +187,17 @@ std::optional<std::vector<DerivedTexture>> DeriveTextures(const graph::Graph& gr
                                                           const std::string& folder,
                                                           const Roots& roots,
                                                           Diagnostics& diagnostics) {
-  std::vector<DerivedTexture> derived;
+  std::vector<uint32_t> made;
   for (uint32_t t = 0; t < graph.textures.size(); ++t) {
-    if (!used[t] || !graph.textures[t].IsDerived() || graph::FirstEqualTexture(graph, t) != t) {
-      continue;
+    if (used[t] && graph.textures[t].IsDerived() && graph::FirstEqualTexture(graph, t) == t) {
+      made.push_back(t);
     }
-    auto data = MakeGraphTexture(graph, t, folder, roots, diagnostics);
+  }
+  Maker maker(graph, folder, roots, diagnostics);
+  for (uint32_t t : made) maker.Announce(t);
+  std::vector<DerivedTexture> derived;
+  for (uint32_t t : made) {
+    auto data = maker.Make(t);
     if (!data) return std::nullopt;
     derived.push_back({t, std::make_shared<const TextureData>(std::move(*data))});
   }

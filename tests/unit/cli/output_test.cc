@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "compiler/textures/image.h"
 #include "tests/unit/base/scratch_folder.h"
 #include "tests/unit/cli/program.h"
 #include "tests/unit/cli/sample_graphs.h"
@@ -174,6 +175,42 @@ TEST_F(Output, GraphsOfOneNameDoNotShareTextures) {
   EXPECT_EQ(folder.Read("out/map.m.ktx2"), first);
   EXPECT_NE(folder.Read("out/other.m.ktx2"), "");
   EXPECT_NE(folder.Read("out/other.m.ktx2"), first);
+}
+
+// Pictures that several textures are made of are read once; each is what it is alone.
+TEST_F(Output, MeansAreTheSameBesideTheirPatterns) {
+  textures::Image sheet;
+  sheet.width = sheet.height = 16;
+  sheet.channels = 4;
+  for (int i = 0; i < 1024; ++i) sheet.pixels.push_back(static_cast<uint8_t>(i * i / 7));
+  folder.Write("sheet.png", *textures::EncodePng(sheet));
+  const std::string ground = R"("ground": {"sheet": "sheet.png", "grid": [2, 2]})";
+  const std::string means =
+      R"("where": {"map": [[0, 1], [2, 3]], "of": "ground"}, "far": {"means": "where"})";
+  const auto compile = [&](const std::string& textures, const std::string& color) {
+    folder.Write("g.json", R"({"texgraph": 1, "textures": {)" + textures + R"(}, "nodes": {
+        "grid": {"block": "virtual_tile_map", "in": {}},
+        "near": {"block": "reference_texture",
+                 "in": {"patterns": "ground", "tile": "grid", "pattern": 1}},
+        "mean": {"block": "image", "in": {"picture": "far"}},
+        "both": {"block": "add", "in": {"a": "near", "b": "mean"}}},
+        "outputs": {"color": ")" +
+                               color + R"("}})");
+    std::filesystem::remove(folder / "g.far.ktx2");
+    std::filesystem::remove(folder / "g.ground.ktx2");
+    Outcome outcome = Run({"g.json", "-o", "g.frag"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
+    return std::pair(folder.Read("g.ground.ktx2"), folder.Read("g.far.ktx2"));
+  };
+  const auto near = compile(ground + ", " + means, "near");
+  const auto mean = compile(ground + ", " + means, "mean");
+  EXPECT_EQ(near.second, "");
+  EXPECT_EQ(mean.first, "");
+  const auto expected = std::pair(near.first, mean.second);
+  EXPECT_NE(expected.first, "");
+  EXPECT_NE(expected.second, "");
+  EXPECT_EQ(compile(ground + ", " + means, "both"), expected);
+  EXPECT_EQ(compile(means + ", " + ground, "both"), expected);
 }
 
 TEST_F(Output, InputsAreNeverOverwritten) {
