@@ -2,7 +2,7 @@
 // Picture after picture by one shader: the process, the context, the program, the textures and the
 // mesh stay, and between pictures a program sets uniforms, moves the camera and changes texels.
 // What is set stays until it is set again. Each picture is the one that Render draws of a request
-// that has all of these values from the beginning.
+// that has all of these values from the beginning. One thread at a time may use a renderer.
 #pragma once
 
 #include <memory>
@@ -26,7 +26,8 @@ class LiveRenderer {
   ~LiveRenderer();
 
   // Each of these is false, with the reason reported and nothing changed, if its values don't fit.
-  // A uniform parameter: one number for each component, or one for all; bools are 0 or 1.
+  // A uniform parameter: one number for each component, or one for all, finite and within the
+  // parameter's range; whole ones for ints, 0 or 1 for bools. Colours are linear light.
   // Reported: kUnknownParameter, kNotRenderable, kPortType, kValueRange.
   bool SetParameter(std::string_view name, std::span<const double> numbers,
                     Diagnostics& diagnostics);
@@ -38,11 +39,11 @@ class LiveRenderer {
   // numbers are part of the shader.
   bool UpdateTexels(const TexelUpdate& update, Diagnostics& diagnostics);
   // The same for a map of whole numbers, -1 for nothing, in the texture's own format: `update` has
-  // no texels yet. Numbers are below the count of what they count. Also reported: kPortType for
-  // what is no map.
+  // no texels yet. Width times height numbers, rows from the lowest up, each below the count of
+  // what they count. Also reported: kPortType for what is no map.
   bool UpdateMap(TexelUpdate update, std::span<const int32_t> numbers, Diagnostics& diagnostics);
 
-  // A texture as it was uploaded.
+  // A texture as it was uploaded, before all updates. Both are there as long as the renderer.
   struct Texture {
     const ManifestTexture* texture = nullptr;
     const textures::TextureData* data = nullptr;
@@ -51,8 +52,8 @@ class LiveRenderer {
   std::optional<Texture> FindTexture(std::string_view name) const;
   const RenderRequest& request() const;
 
-  // The request's outputs at that time, in seconds. After the driver has failed, all further ones
-  // fail.
+  // The request's outputs at that time, in seconds, within the request's `timeout` each. After the
+  // driver has failed, all further ones fail.
   RenderResult Draw(double time);
 
  private:

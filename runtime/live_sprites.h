@@ -21,9 +21,10 @@ class LiveSprites {
   // kPortType for one that holds no sprites.
   static std::optional<LiveSprites> Open(const LiveRenderer& renderer, std::string_view texture,
                                          Diagnostics& diagnostics);
-  // How many patterns a sprite may have.
+  // How many patterns there are: a sprite's is below.
   uint32_t patterns() const { return patterns_; }
 
+  // Places are in cells, from the left lower corner of the map.
   textures::SpriteGrid& grid() { return grid_; }
   // What changed in the grid since the last call, rows of texels that lie beside each other as one;
   // everything at first.

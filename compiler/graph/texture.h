@@ -35,9 +35,9 @@ struct Mask {  // "mask.png", or { "file": "mask.png", "channel": "red", "invert
 
 // "key": what textures::ColorKey is.
 struct ColorKey {
-  std::array<double, 3> color{};
-  double tolerance = 0.05;
-  int edge = 2;
+  std::array<double, 3> color{};  // in the picture's own numbers, 0 to 1
+  double tolerance = 0.05;        // of each channel, from 0 to below 1
+  int edge = 2;                   // in texels, 0 to 64
   bool operator==(const ColorKey&) const = default;
 };
 
@@ -47,14 +47,14 @@ enum class TextureKind : uint8_t { kFile, kLayers, kSheet, kMap, kLists, kSprite
 // "pack": how the patterns of layers or a sheet lie in one texture.
 enum class TexturePack : uint8_t { kArray, kAtlas, kVolume };
 
-struct LegendColor {  // "#3a7d2c"
+struct LegendColor {  // "#3a7d2c", in the picture's own numbers
   std::array<uint8_t, 3> rgb{};
   bool operator==(const LegendColor&) const = default;
 };
 
 struct Sprite {
-  int32_t pattern = 0;
-  std::array<double, 2> at{};  // its left lower corner, in cells
+  int32_t pattern = 0;         // from 0
+  std::array<double, 2> at{};  // its left lower corner, in cells from that of the map
   bool operator==(const Sprite&) const = default;
 };
 
@@ -84,7 +84,8 @@ struct Texture {
   std::string_view name;
   SourceRange range;
   TextureKind kind = TextureKind::kFile;
-  // One, the layers, the sheet, or the picture of a map; none for what stands in the graph.
+  // One, the layers, the sheet, or the picture of a map; none for what stands in the graph. Paths
+  // as the graph has them, from its folder.
   std::vector<std::string_view> files;
   std::vector<SourceRange> file_ranges;
   bool is_array = false;    // sampled as a sampler2DArray
@@ -101,10 +102,13 @@ struct Texture {
 
   // Patterns: kLayers and kSheet.
   TexturePack pack = TexturePack::kArray;
-  std::array<uint32_t, 2> grid = {1, 1};  // columns and rows of a sheet, and of an atlas
+  // Columns and rows of a sheet, and of an atlas; 1 to kMaxGridSide each. Patterns are counted from
+  // the left top corner, row by row.
+  std::array<uint32_t, 2> grid = {1, 1};
   SourceRange grid_range;
-  bool match_edges = false;     // "edges": "match"
-  std::vector<double> weights;  // of each pattern in the coarsest mip levels; none: as they are
+  bool match_edges = false;  // "edges": "match"
+  // Of each pattern in the coarsest mip levels, 0 to kMaxWeight, not all 0; none: as they are.
+  std::vector<double> weights;
 
   // What a map's, the lists' or the sprites' numbers count ("of"), or the map that means are of
   // ("means"), as an index of the graph's textures.
@@ -122,6 +126,7 @@ struct Texture {
            kind == TextureKind::kSprites;
   }
   bool HasPatterns() const { return kind == TextureKind::kLayers || kind == TextureKind::kSheet; }
+  // Of layers and sheets.
   uint32_t PatternCount() const {
     return kind == TextureKind::kSheet ? grid[0] * grid[1] : static_cast<uint32_t>(files.size());
   }

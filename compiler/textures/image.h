@@ -33,7 +33,7 @@ struct Image : ImageInfo {
   std::vector<uint8_t> pixels;
 
   size_t RowBytes() const { return size_t{width} * channels * (bits / 8); }
-  // A sample, 0 to 255 or 0 to 65535.
+  // A sample, 0 to 255 or 0 to 65535, at column x and row y from the top.
   uint32_t At(uint32_t x, uint32_t y, uint32_t channel) const;
 };
 

@@ -42,7 +42,8 @@ class SpriteGrid {
     std::array<float, 4> value{};
   };
 
-  // A grid of `width` times `height` cells, `layers` sprites in each at most. What of a sprite lies
+  // A grid of `width` times `height` cells, `layers` sprites in each at most, each of a pattern
+  // from 0 to `patterns` - 1. Cells are counted from the left and from v = 0. What of a sprite lies
   // outside of the grid is not shown: the grid does not wrap.
   SpriteGrid(uint32_t width, uint32_t height, uint32_t layers, uint32_t patterns);
 
