@@ -34,6 +34,7 @@ set(TEXGRAPH_STDLIB_BLOCKS
   indirection/cell_hash.glsl
   indirection/cell_permutation.glsl
   indirection/dither.glsl
+  indirection/dithered_area.glsl
   indirection/dithered_areas_map.glsl
   indirection/explicit_indirection_map.glsl
   indirection/explicit_positioning.glsl
@@ -53,6 +54,7 @@ set(TEXGRAPH_STDLIB_BLOCKS
   indirection/volume_slices.glsl
   layers/apply_mask.glsl
   layers/blend.glsl
+  layers/box_share.glsl
   layers/layer.glsl
   layers/layer_element.glsl
   layers/layer_neighbours.glsl

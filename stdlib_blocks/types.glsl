@@ -11,6 +11,23 @@ const int ALPHA_PREMULTIPLIED = 1;
 const int RANDOMNESS_HASH = 0;
 const int RANDOMNESS_PERMUTATION = 1;
 
+// How an image lies in the tile of a layer: stretched over it, or as the largest square in it, or
+// the smallest around it.
+const int FIT_STRETCH = 0;
+const int FIT_CONTAIN = 1;
+const int FIT_COVER = 2;
+
+// By which angles a layer turns its elements at random.
+const int TURN_NONE = 0;
+const int TURN_HALVES = 1;
+const int TURN_QUARTERS = 2;
+
+// In which directions a layer mirrors its elements at random.
+const int FLIP_NONE = 0;
+const int FLIP_X = 1;
+const int FLIP_Y = 2;
+const int FLIP_BOTH = 3;
+
 /// One tile of a tiling, as seen from one point: what a block needs to draw something else in every
 /// tile.
 ///

@@ -670,6 +670,10 @@ class DocChecker {
         length = prefix.size();
       }
       if (!best) continue;
+      // What blocks share makes words only where the file speaks of it: a parameter that happens to
+      // have such a name is a number.
+      const bool is_own = file_.constants.contains(name);
+      if (!is_own && text_.find(name.substr(0, length)) == text_.npos) continue;
       std::string word(name.substr(length));
       for (char& c : word) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
       int32_t value = static_cast<int32_t>(program_.module.Words(info.value)[0]);

@@ -19,15 +19,7 @@
 /// @return the number in the map, -1 for nothing @one_of areas
 int dithered_areas_map(sampler2D areas, Tile tile, const ivec2 cells, const int stream) {
   ivec2 size = textureSize(areas, 0);
-  ivec2 half_area = max(cells / size, 1);
-  ivec2 area = 2 * half_area;
-  // In half tiles, from the middle of the area before the first one on, so that nothing is below 0.
-  ivec2 middle = 2 * wrap_cell(tile.cell, cells) + half_area + 1;
-  ivec2 last = middle / area;
-  ivec2 share = middle % area;
-  uint bits = hash(tile.seed + uint(stream));
-  ivec2 luck = ivec2(uvec2(bits & 65535u, bits >> 16u) * uvec2(area) >> 16u);
-  ivec2 picked = last - ivec2(greaterThanEqual(luck, share));
+  ivec2 picked = dithered_area(tile.cell, tile.seed, cells, max(cells / size, 1), stream);
   return int(texelFetch(areas, wrap_cell(picked, size), 0).r);
 }
 
@@ -38,11 +30,7 @@ int dithered_areas_map(sampler2D areas, Tile tile, const ivec2 cells, const int 
 /// @param stream blocks with different streams dither independently @default 1
 int dithered_areas_map(sampler2D areas, Tile1 tile, const int cells, const int stream) {
   int size = textureSize(areas, 0).x;
-  int half_area = max(cells / size, 1);
-  int area = 2 * half_area;
-  int middle = 2 * wrap_cell(tile.cell, cells) + half_area + 1;
-  int luck = int((hash(tile.seed + uint(stream)) >> 16u) * uint(area) >> 16u);
-  int picked = middle / area - int(luck >= middle % area);
+  int picked = dithered_area(tile.cell, tile.seed, cells, max(cells / size, 1), stream);
   return int(texelFetch(areas, ivec2(wrap_cell(picked, size), 0), 0).r);
 }
 
@@ -52,12 +40,6 @@ int dithered_areas_map(sampler2D areas, Tile1 tile, const int cells, const int s
 /// @param stream blocks with different streams dither independently @default 1
 int dithered_areas_map(sampler3D areas, Tile3 tile, const ivec3 cells, const int stream) {
   ivec3 size = textureSize(areas, 0);
-  ivec3 half_area = max(cells / size, 1);
-  ivec3 area = 2 * half_area;
-  ivec3 middle = 2 * wrap_cell(tile.cell, cells) + half_area + 1;
-  uint bits = hash(tile.seed + uint(stream));
-  uvec3 numbers = uvec3(bits & 65535u, bits >> 16u, hash(bits) >> 16u);
-  ivec3 luck = ivec3(numbers * uvec3(area) >> 16u);
-  ivec3 picked = middle / area - ivec3(greaterThanEqual(luck, middle % area));
+  ivec3 picked = dithered_area(tile.cell, tile.seed, cells, max(cells / size, 1), stream);
   return int(texelFetch(areas, wrap_cell(picked, size), 0).r);
 }

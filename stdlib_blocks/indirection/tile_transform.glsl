@@ -2,21 +2,6 @@
 const int PLACE_INSIDE = 0;
 const int PLACE_ANYWHERE = 1;
 
-// The share of a pixel that the pattern covers, a box from 0 to 1 in its own frame. Where a pixel
-// is larger than a tile it counts as a tile. Of a pattern that stays in its tile it is the share of
-// the pixel's part in the tile: one that fills the tile is whole up to the border, where the next
-// tile goes on.
-float share_of(vec2 q, float tile_in_q, vec2 local, const int place) {
-  vec2 density = 1.0 / clamp(footprint(q), vec2(1e-5), vec2(tile_in_q));
-  vec2 share = min((0.5 - abs(q - 0.5)) * density + 0.5, density);
-  if (place == PLACE_INSIDE) {
-    vec2 width = clamp(footprint(local), 1e-5, 1.0);
-    share /= clamp((0.5 - abs(local - 0.5)) / width + 0.5, 0.5, 1.0);
-  }
-  vec2 covered = clamp(share, 0.0, 1.0);
-  return covered.x * covered.y;
-}
-
 /// Moves, turns and scales what is drawn in a tile; in place of the fragments that the paper
 /// discards it tells how much of the pixel is covered.
 /// With the place `inside` the pattern stays in its tile, whatever its position: its middle is at
@@ -67,7 +52,7 @@ void tile_transform(Tile tile, vec2 position, float scale, float rotation, const
   inner.drift = vec2(0.0);
   inner.tilt = vec2(0.0);
 
-  coverage = share_of(q, 1.0 / size, tile.local, place);
+  coverage = box_share(q, vec2(1.0 / size), tile.local, place == PLACE_INSIDE);
   if (place == PLACE_INSIDE) {
     vec2 tiles = footprint(tile.local);
     float away = clamp(2.0 * max(tiles.x, tiles.y) - 1.0, 0.0, 1.0);
@@ -114,7 +99,7 @@ void tile_transform(Tile3 tile, vec3 position, float scale, float rotation, cons
   float height = inner.local.z;
   float pixel = clamp(footprint(height), 1e-5, 1.0 / size);
   float slice = clamp(min((0.5 - abs(height - 0.5)) / pixel + 0.5, 1.0 / pixel), 0.0, 1.0);
-  coverage = share_of(q, 1.0 / size, tile.local.xy, place) * slice;
+  coverage = slice * box_share(q, vec2(1.0 / size), tile.local.xy, place == PLACE_INSIDE);
   if (place == PLACE_INSIDE) {
     vec2 tiles = footprint(tile.local.xy);
     float away = clamp(2.0 * max(tiles.x, tiles.y) - 1.0, 0.0, 1.0);

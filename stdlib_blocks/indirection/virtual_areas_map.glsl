@@ -15,16 +15,11 @@ int area(vec2 uv, ivec2 cell);
 int virtual_areas_map(Tile tile, const ivec2 cells, const ivec2 areas, const bool dithered,
                       const int stream) {
   ivec2 tiles = max(cells / areas, 1);
-  ivec2 here = wrap_cell(tile.cell, cells);
   ivec2 found;
   if (dithered) {
-    ivec2 middle = 2 * here + tiles + 1;
-    uint bits = hash(tile.seed + uint(stream));
-    ivec2 luck = ivec2(uvec2(bits & 65535u, bits >> 16u) * uvec2(2 * tiles) >> 16u);
-    ivec2 last = middle / (2 * tiles);
-    found = wrap_cell(last - ivec2(greaterThanEqual(luck, middle - last * 2 * tiles)), areas);
+    found = wrap_cell(dithered_area(tile.cell, tile.seed, cells, tiles, stream), areas);
   } else {
-    found = min(here / tiles, areas - 1);
+    found = min(wrap_cell(tile.cell, cells) / tiles, areas - 1);
   }
   return area((vec2(found) + 0.5) / vec2(areas), found);
 }

@@ -1,15 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-const int FIT_STRETCH = 0;
-const int FIT_CONTAIN = 1;
-const int FIT_COVER = 2;
-const int TURN_NONE = 0;
-const int TURN_HALVES = 1;
-const int TURN_QUARTERS = 2;
-const int FLIP_NONE = 0;
-const int FLIP_X = 1;
-const int FLIP_Y = 2;
-const int FLIP_BOTH = 3;
-
 /// Draws an image once in every tile, each time a little different: moved, scaled, turned and faded
 /// at random within limits.
 /// Give it the `inner` tile of another layer to make it that layer's child: it then moves, turns

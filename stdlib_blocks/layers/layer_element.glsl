@@ -1,34 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-const int FIT_STRETCH = 0;
-const int FIT_CONTAIN = 1;
-const int FIT_COVER = 2;
-const int TURN_NONE = 0;
-const int TURN_HALVES = 1;
-const int TURN_QUARTERS = 2;
-const int FLIP_NONE = 0;
-const int FLIP_X = 1;
-const int FLIP_Y = 2;
-const int FLIP_BOTH = 3;
-
-// The share of the pixel that the element covers, for each axis of the element. Of an element that
-// is cut off at its cell, it is the share of the pixel's part within the cell.
-// Dividing by the share of the pixel that lies in the cell makes an element that fills its cell
-// opaque up to the border, where the neighbour goes on. Beyond the size of a cell the pixel's
-// footprint counts as the cell, so that far away the coverage is the share of the cell that the
-// element takes.
-float coverage(vec2 q, vec2 cell_in_q, vec2 local, const bool cut) {
-  vec2 density = 1.0 / clamp(footprint(q), vec2(1e-5), cell_in_q);
-  vec2 share = min((0.5 - abs(q - 0.5)) * density + 0.5, density);
-  if (!cut) {
-    vec2 covered = clamp(share, 0.0, 1.0);
-    return covered.x * covered.y;
-  }
-  vec2 cell_width = clamp(footprint(local), 1e-5, 1.0);
-  vec2 inside = clamp((0.5 - abs(local - 0.5)) / cell_width + 0.5, 0.5, 1.0);
-  vec2 covered = clamp(share / inside, 0.0, 1.0);
-  return covered.x * covered.y;
-}
-
 // A direction or a place, turned and mirrored from the element into its image; about (0, 0).
 vec2 turned(vec2 p, uint bits, const int turn, const int flip) {
   if (turn == TURN_QUARTERS) {
@@ -177,7 +147,7 @@ void layer_element(Tile tile, vec2 position_min, vec2 position_max, vec2 scale, 
   inner_scale.largest = most * tile.largest;
 
   vec2 luck = random2(seed, -3);
-  alpha = mix(opacity.x, opacity.y, luck.x) * coverage(q, along * into, tile.local, cut);
+  alpha = mix(opacity.x, opacity.y, luck.x) * box_share(q, along * into, tile.local, cut);
   present = 1.0;
   if (chance < 1.0 && luck.y >= chance) {
     present = 0.0;

@@ -1,8 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-const int FIT_STRETCH = 0;
-const int FIT_CONTAIN = 1;
-const int FIT_COVER = 2;
-
 // The greatest |cos(angle)| x + |sin(angle)| y between two angles in degrees, for x and y above 0.
 float widest(float x, float y, vec2 rotation) {
   vec2 angle = radians(rotation);

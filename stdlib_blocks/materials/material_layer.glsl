@@ -1,15 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-const int FIT_STRETCH = 0;
-const int FIT_CONTAIN = 1;
-const int FIT_COVER = 2;
-const int TURN_NONE = 0;
-const int TURN_HALVES = 1;
-const int TURN_QUARTERS = 2;
-const int FLIP_NONE = 0;
-const int FLIP_X = 1;
-const int FLIP_Y = 2;
-const int FLIP_BOTH = 3;
-
 /// Draws a material once in every tile, each time a little different: as `layer`, but with all
 /// channels together.
 /// The normal turns with its element, and is mirrored with it, so that the light falls on a turned

@@ -473,6 +473,42 @@ TEST(MaterialsMapTest, OfALineAndInSpace) {
   }
 }
 
+// The same where an area has more half tiles than 16 random bits have values: from 3/8 of the way
+// the right one of two areas has the weight 1/4.
+TEST(DitheredAreaTest, LargeAreasAreWeighedAsSmallOnes) {
+  for (int tiles : {16, 30000, 70000, 1 << 19}) {
+    std::vector<Cell> cells;
+    std::vector<int32_t> line;
+    std::vector<uint32_t> seeds;
+    constexpr int kCount = 20000;
+    for (int i = 0; i < kCount; ++i) {
+      cells.emplace_back(3 * tiles / 4, tiles / 2);
+      line.push_back(3 * tiles / 4);
+      seeds.push_back(reference::Pcg(static_cast<uint32_t>(i)));
+    }
+    const std::vector<Values> picked = {
+        RunBlock("dithered_area", {{"cell", CellsOf(cells)},
+                                   {"seed", Uints(seeds)},
+                                   {"cells", CellsOf({{2 * tiles, tiles}})},
+                                   {"tiles", CellsOf({{tiles, tiles}})}})["result"],
+        RunBlock("dithered_area", {{"cell", Ints(line)},
+                                   {"seed", Uints(seeds)},
+                                   {"cells", Ints({2 * tiles})},
+                                   {"tiles", Ints({tiles})}})["result"]};
+    for (const Values& areas : picked) {
+      ASSERT_EQ(areas.count, seeds.size());
+      // The middle of a cell is half a cell further.
+      const double weight = 0.25 + 0.5 / tiles;
+      int right = 0;
+      for (size_t i = 0; i < areas.count; ++i) {
+        ASSERT_TRUE(areas.Int(i) == 0 || areas.Int(i) == 1);
+        right += areas.Int(i);
+      }
+      EXPECT_NEAR(right, kCount * weight, 5 * std::sqrt(kCount * weight * (1 - weight))) << tiles;
+    }
+  }
+}
+
 // Computed areas are those of a map with the same numbers, tile by tile, dithered or not.
 TEST(VirtualAreasMapTest, IsTheMapThatItComputes) {
   // 8 * row + column, rounded down in 64ths of the middle's coordinates.

@@ -128,6 +128,43 @@ void ExpectAsTheReferenceSays(const std::string& parent_ports, const Limits& par
   }
 }
 
+// A square pixel of the width w: what the box from 0 to 1 has of it, and of its part in the cell
+// from 0 to 1, in the cell's own frame.
+double Overlap(double q, double w) {
+  return std::max(std::min(q + w / 2, 1.0) - std::max(q - w / 2, 0.0), 0.0) / w;
+}
+
+TEST(BoxShareTest, IsTheAreaThatThePixelHasOfTheBox) {
+  for (double w : {0.01, 0.2, 0.9}) {
+    for (double scale : {0.5, 1.0}) {  // of the box, whose middle is that of its cell
+      std::vector<Vector> q, local;
+      for (int i = 0; i < 400; ++i) {
+        const double x = -0.2 + 1.4 * (i / 4 % 10) / 10, y = -0.2 + 1.4 * (i / 40) / 10;
+        // The pixels of a quad: the footprint is w in each direction of the box.
+        q.push_back({x + (i % 2) * w, y + (i / 2 % 2) * w});
+        local.push_back({0.5 + scale * (q.back()[0] - 0.5), 0.5 + scale * (q.back()[1] - 0.5)});
+      }
+      for (bool cut : {false, true}) {
+        const Values share =
+            RunBlock("box_share", {{"q", Vectors(q)},
+                                   {"cell_in_q", Vectors({{1 / scale, 1 / scale}})},
+                                   {"local", Vectors(local)},
+                                   {"cut", Bools({cut})}})["result"];
+        ASSERT_EQ(share.count, q.size());
+        for (size_t i = 0; i < q.size(); ++i) {
+          double wanted = 1;
+          for (size_t c = 0; c < 2; ++c) {
+            const double within = Overlap(local[i][c], scale * w);
+            // Outside of its cell the pixel counts as one that is half in it.
+            wanted *= std::min(Overlap(q[i][c], w) / (cut ? std::max(within, 0.5) : 1), 1.0);
+          }
+          EXPECT_NEAR(share.Float(i), wanted, 2e-4) << w << " " << scale << " " << cut << " " << i;
+        }
+      }
+    }
+  }
+}
+
 TEST(LayerTest, DrawsWhereTheReferenceSays) { ExpectAsTheReferenceSays(kParent, kParentLimits); }
 
 TEST(LayerTest, StretchedElementsAreWhereTheReferenceSays) {

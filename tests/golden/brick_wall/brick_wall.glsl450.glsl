@@ -58,8 +58,8 @@ vec4 brick_wall_color_ramp(float position) {
   return mix(color, vec4(1.5, 1.5, 1.3, 1.0), clamp((position - 0.6) / 0.39999998, 0.0, 1.0));
 }
 
-// coverage, of layer_element (layers/layer_element.glsl)
-float brick_wall_coverage(vec2 q, vec2 cell_in_q, vec2 local, vec2 q_dx, vec2 q_dy, vec2 local_dx,
+// box_share (layers/box_share.glsl)
+float brick_wall_box_share(vec2 q, vec2 cell_in_q, vec2 local, vec2 q_dx, vec2 q_dy, vec2 local_dx,
     vec2 local_dy) {
   vec2 density = 1.0 / clamp(sqrt(q_dx * q_dx + q_dy * q_dy), vec2(1e-5), cell_in_q);
   vec2 share = min((0.5 - abs(q - 0.5)) * density + 0.5, density);
@@ -89,7 +89,7 @@ void brick_wall_layer_element_brick_layer(brick_wall_Tile tile, vec2 tile_local_
   vec2 q = point * p + (product2 * p.yx + 0.5);
   vec2 q_dx = tile_local_dx * point + tile_local_dx.yx * product2;
   vec2 q_dy = tile_local_dy * point + tile_local_dy.yx * product2;
-  float alpha2 = brick_wall_coverage(q, vec2(shrink), tile.local, q_dx, q_dy, tile_local_dx,
+  float alpha2 = brick_wall_box_share(q, vec2(shrink), tile.local, q_dx, q_dy, tile_local_dx,
       tile_local_dy);
   vec2 width = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
   float far = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
@@ -121,9 +121,9 @@ void brick_wall_layer_element_soot_layer(brick_wall_Tile tile, vec2 tile_local_d
   vec2 q_dy = tile_local_dy * point + tile_local_dy.yx * product2;
   uint hash_value3 = brick_wall_hash(seed - 3u);
   vec2 luck = vec2(float(hash_value3 & 65535u), float(hash_value3 >> 16u)) * 1.5258789e-5;
-  float coverage_value = brick_wall_coverage(q, vec2(shrink), tile.local, q_dx, q_dy, tile_local_dx,
-      tile_local_dy);
-  float alpha2 = luck.x * coverage_value;
+  float box_share_value = brick_wall_box_share(q, vec2(shrink), tile.local, q_dx, q_dy,
+      tile_local_dx, tile_local_dy);
+  float alpha2 = luck.x * box_share_value;
   alpha2 = luck.y >= 0.7 ? 0.0 : alpha2;
   vec2 width = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
   float far = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
@@ -157,9 +157,9 @@ void brick_wall_layer_element_moss_layer(brick_wall_Tile tile, vec2 tile_local_d
   vec2 q_dy = tile_local_dy * product2 + tile_local_dy.yx * product3;
   uint hash_value3 = brick_wall_hash(seed - 3u);
   vec2 luck = vec2(float(hash_value3 & 65535u), float(hash_value3 >> 16u)) * 1.5258789e-5;
-  float coverage_value = brick_wall_coverage(q, along * shrink, tile.local, q_dx, q_dy,
+  float box_share_value = brick_wall_box_share(q, along * shrink, tile.local, q_dx, q_dy,
       tile_local_dx, tile_local_dy);
-  float alpha2 = mix(0.6, 1.0, luck.x) * coverage_value;
+  float alpha2 = mix(0.6, 1.0, luck.x) * box_share_value;
   alpha2 = luck.y >= 0.35 ? 0.0 : alpha2;
   vec2 width = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
   float far = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);

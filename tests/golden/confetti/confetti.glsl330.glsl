@@ -33,8 +33,8 @@ void confetti_brick_grid_grid_1(vec2 uv, ivec2 neighbour, vec2 uv_dx, vec2 uv_dy
   tile_local_dy = uv_dy * 9.0;
 }
 
-// coverage, of layer_element (layers/layer_element.glsl)
-float confetti_coverage(vec2 q, vec2 cell_in_q, vec2 q_dx, vec2 q_dy) {
+// box_share (layers/box_share.glsl)
+float confetti_box_share(vec2 q, vec2 cell_in_q, vec2 q_dx, vec2 q_dy) {
   vec2 density = 1.0 / clamp(sqrt(q_dx * q_dx + q_dy * q_dy), vec2(1e-5), cell_in_q);
   vec2 share = min((0.5 - abs(q - 0.5)) * density + 0.5, density);
   vec2 covered = clamp(share, 0.0, 1.0);
@@ -59,7 +59,7 @@ void confetti_layer_element_sheet_1(confetti_Tile tile, vec2 tile_local_dx, vec2
   vec2 q = point * p + (product * p.yx + 0.5);
   vec2 q_dx = tile_local_dx * point + tile_local_dx.yx * product;
   vec2 q_dy = tile_local_dy * point + tile_local_dy.yx * product;
-  alpha = confetti_coverage(q, vec2(shrink), q_dx, q_dy);
+  alpha = confetti_box_share(q, vec2(shrink), q_dx, q_dy);
   inner = confetti_Tile(q, size * tile.size, seed);
   inner_local_dx = q_dx;
   inner_local_dy = q_dy;
@@ -169,7 +169,7 @@ void confetti_layer_element_sheet_2(confetti_Tile tile, vec2 tile_local_dx, vec2
   vec2 q_dy = tile_local_dy * point + tile_local_dy.yx * product;
   uint hash_value3 = confetti_hash(seed - 3u);
   vec2 luck = vec2(float(hash_value3 & 65535u), float(hash_value3 >> 16u)) * 1.5258789e-5;
-  alpha = mix(0.4, 1.0, luck.x) * confetti_coverage(q, vec2(shrink), q_dx, q_dy);
+  alpha = mix(0.4, 1.0, luck.x) * confetti_box_share(q, vec2(shrink), q_dx, q_dy);
   inner = confetti_Tile(q, size * tile.size, seed);
   inner_local_dx = q_dx;
   inner_local_dy = q_dy;
@@ -237,7 +237,7 @@ void confetti_layer_element_sheet_3(confetti_Tile tile, vec2 tile_local_dx, vec2
   vec2 q_dy = tile_local_dy * point + tile_local_dy.yx * product;
   uint hash_value3 = confetti_hash(seed - 3u);
   vec2 luck = vec2(float(hash_value3 & 65535u), float(hash_value3 >> 16u)) * 1.5258789e-5;
-  alpha = mix(0.4, 1.0, luck.x) * confetti_coverage(q, vec2(shrink), q_dx, q_dy);
+  alpha = mix(0.4, 1.0, luck.x) * confetti_box_share(q, vec2(shrink), q_dx, q_dy);
   inner = confetti_Tile(q, size * tile.size, seed);
   inner_local_dx = q_dx;
   inner_local_dy = q_dy;

@@ -107,8 +107,8 @@ void brick_grid_stone_grid(vec2 uv, int rows, int columns, int seed, ivec2 neigh
   tile_local_dy = uv_dy * cells;
 }
 
-// coverage, of layer_element (layers/layer_element.glsl)
-float coverage(vec2 q, vec2 cell_in_q, vec2 q_dx, vec2 q_dy) {
+// box_share (layers/box_share.glsl)
+float box_share(vec2 q, vec2 cell_in_q, vec2 q_dx, vec2 q_dy) {
   vec2 density = 1.0 / clamp(sqrt(q_dx * q_dx + q_dy * q_dy), vec2(1e-5), cell_in_q);
   vec2 share = min((0.5 - abs(q - 0.5)) * density + 0.5, density);
   vec2 covered = clamp(share, 0.0, 1.0);
@@ -140,7 +140,7 @@ void layer_element_stones(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy, out
   vec2 q_dy = tile_local_dy * product + tile_local_dy.yx * product2;
   uint hash_value3 = hash(seed - 3u);
   vec2 luck = vec2(float(hash_value3 & 65535u), float(hash_value3 >> 16u)) * 1.5258789e-5;
-  float alpha2 = coverage(q, along * into, q_dx, q_dy);
+  float alpha2 = box_share(q, along * into, q_dx, q_dy);
   alpha = luck.y >= 0.4 ? 0.0 : alpha2;
   inner = Tile(q, size * vec2(1.0, ratio) * side, seed);
   inner_local_dx = q_dx;
@@ -321,7 +321,7 @@ void layer_element_tufts(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy, out 
   vec2 turned_value = turned(q - 0.5, bits >> 16u, q_dx, q_dy, inner_local_dx2, inner_local_dy2);
   uint hash_value3 = hash(seed - 3u);
   vec2 luck = vec2(float(hash_value3 & 65535u), float(hash_value3 >> 16u)) * 1.5258789e-5;
-  float alpha2 = coverage(q, along * shrink, q_dx, q_dy);
+  float alpha2 = box_share(q, along * shrink, q_dx, q_dy);
   alpha = luck.y >= 0.55 ? 0.0 : alpha2;
   inner = Tile(turned_value + 0.5, vec2(size * side), seed);
   inner_local_dx = inner_local_dx2;
@@ -466,7 +466,7 @@ void layer_element_rocks(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy, out 
   vec2 q_dy = tile_local_dy * product + tile_local_dy.yx * product2;
   uint hash_value3 = hash(seed - 3u);
   vec2 luck = vec2(float(hash_value3 & 65535u), float(hash_value3 >> 16u)) * 1.5258789e-5;
-  float alpha2 = coverage(q, along * into, q_dx, q_dy);
+  float alpha2 = box_share(q, along * into, q_dx, q_dy);
   alpha = luck.y >= 0.45 ? 0.0 : alpha2;
   inner = Tile(q, size * vec2(1.0, ratio) * side, seed);
   inner_local_dx = q_dx;

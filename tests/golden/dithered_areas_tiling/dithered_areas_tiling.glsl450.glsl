@@ -7,12 +7,6 @@ uniform sampler2DArray grounds;
 uniform sampler2D areas;
 uniform sampler2D far;
 
-// Types
-struct dithered_areas_tiling_Tile {
-  ivec2 cell;
-  uint seed;
-};
-
 // Constants
 const int dithered_areas_tiling_kinds[16] = int[16](0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13,
     14, 15);
@@ -34,15 +28,15 @@ uint dithered_areas_tiling_hash(uint value) {
   return (word >> 22u) ^ word;
 }
 
-// dithered_areas_map (indirection/dithered_areas_map.glsl)
-int dithered_areas_tiling_dithered_areas_map(dithered_areas_tiling_Tile tile) {
-  ivec2 middle = 2 * (tile.cell & 63) + 9;
+// dithered_area (indirection/dithered_area.glsl)
+ivec2 dithered_areas_tiling_dithered_area(ivec2 cell, uint seed) {
+  ivec2 middle = 2 * (cell & 63) + 9;
   ivec2 last = middle >> 4;
   ivec2 share = middle & 15;
-  uint bits = dithered_areas_tiling_hash(tile.seed + 1u);
-  ivec2 luck = ivec2(uvec2(bits & 65535u, bits >> 16u) >> 12u);
-  ivec2 picked = last - ivec2(lessThanEqual(share, luck));
-  return int(texelFetch(areas, picked & 7, 0).x);
+  uint bits = dithered_areas_tiling_hash(seed + 1u);
+  uvec2 numbers = uvec2(bits & 65535u, bits >> 16u);
+  uvec2 luck = numbers >> 12u;
+  return last - ivec2(lessThanEqual(share, ivec2(luck)));
 }
 
 // drawn, of materials_map (indirection/materials_map.glsl)
@@ -65,11 +59,11 @@ vec4 dithered_areas_tiling(vec2 uv) {
   vec2 product = uv * 64.0;
   ivec2 numbers = ivec2(floor(product));
   uint cell_hash_value = dithered_areas_tiling_cell_hash(numbers);
-  dithered_areas_tiling_Tile grid = dithered_areas_tiling_Tile(numbers, cell_hash_value);
   vec2 grid_local_dx = uv_dx * 64.0;
   vec2 grid_local_dy = uv_dy * 64.0;
   // kind: dithered_areas_map (indirection/dithered_areas_map.glsl)
-  int kind = dithered_areas_tiling_dithered_areas_map(grid);
+  int kind = int(texelFetch(areas,
+      dithered_areas_tiling_dithered_area(numbers, cell_hash_value) & 7, 0).x);
   // pattern: materials_map (indirection/materials_map.glsl)
   int pattern = dithered_areas_tiling_drawn(kind, cell_hash_value);
   // close: reference_texture (indirection/reference_texture.glsl)

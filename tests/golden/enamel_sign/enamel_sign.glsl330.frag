@@ -411,8 +411,8 @@ void brick_grid(vec2 uv, vec2 uv_dx, vec2 uv_dy, out Tile tile, out vec2 tile_lo
   tile_local_dy = uv_dy * 2.0;
 }
 
-// coverage, of layer_element (layers/layer_element.glsl)
-float coverage(vec2 q, vec2 local, vec2 q_dx, vec2 q_dy, vec2 local_dx, vec2 local_dy) {
+// box_share (layers/box_share.glsl)
+float box_share(vec2 q, vec2 local, vec2 q_dx, vec2 q_dy, vec2 local_dx, vec2 local_dy) {
   vec2 density = 1.0 / clamp(sqrt(q_dx * q_dx + q_dy * q_dy), 1e-5, 9.523809);
   vec2 share = min((0.5 - abs(q - 0.5)) * density + 0.5, density);
   vec2 cell_width = clamp(sqrt(local_dx * local_dx + local_dy * local_dy), 1e-5, 1.0);
@@ -429,7 +429,7 @@ void layer_element_heads(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy, out 
   vec2 q = 9.523809 * p + 0.5;
   vec2 q_dx = tile_local_dx * 9.523809;
   vec2 q_dy = tile_local_dy * 9.523809;
-  float alpha2 = coverage(q, tile.local, q_dx, q_dy, tile_local_dx, tile_local_dy);
+  float alpha2 = box_share(q, tile.local, q_dx, q_dy, tile_local_dx, tile_local_dy);
   vec2 width = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
   float far = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
   alpha = mix(alpha2, 0.011024999, far);
@@ -489,7 +489,7 @@ void layer_element_slots(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy, out 
   vec2 q = point * p + (product * p.yx + 0.5);
   vec2 q_dx = tile_local_dx * point + tile_local_dx.yx * product;
   vec2 q_dy = tile_local_dy * point + tile_local_dy.yx * product;
-  float alpha2 = coverage(q, tile.local, q_dx, q_dy, tile_local_dx, tile_local_dy);
+  float alpha2 = box_share(q, tile.local, q_dx, q_dy, tile_local_dx, tile_local_dy);
   vec2 width = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
   float far = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
   alpha = mix(alpha2, 0.011024999, far);

@@ -59,8 +59,8 @@ void hallway_brick_grid_brick_tiles(vec2 uv, int rows, int columns, float row_of
   tile_local_dy = uv_dy * cells;
 }
 
-// coverage_brick_layer, of layer_element (layers/layer_element.glsl)
-float hallway_coverage_brick_layer(vec2 q, vec2 cell_in_q, vec2 local, vec2 q_dx, vec2 q_dy,
+// box_share (layers/box_share.glsl)
+float hallway_box_share_brick_layer(vec2 q, vec2 cell_in_q, vec2 local, vec2 q_dx, vec2 q_dy,
     vec2 local_dx, vec2 local_dy) {
   vec2 density = 1.0 / clamp(sqrt(q_dx * q_dx + q_dy * q_dy), vec2(1e-5), cell_in_q);
   vec2 share = min((0.5 - abs(q - 0.5)) * density + 0.5, density);
@@ -90,7 +90,7 @@ void hallway_layer_element_brick_layer(hallway_Tile tile, vec2 tile_local_dx, ve
   vec2 q_dy = tile_local_dy * point + tile_local_dy.yx * product2;
   vec2 right = point * tile.right + point2 * tile.up;
   vec2 up = point * tile.up - point2 * tile.right;
-  float alpha2 = hallway_coverage_brick_layer(q, vec2(1.0), tile.local, q_dx, q_dy, tile_local_dx,
+  float alpha2 = hallway_box_share_brick_layer(q, vec2(1.0), tile.local, q_dx, q_dy, tile_local_dx,
       tile_local_dy);
   vec2 width = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
   float far = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
@@ -268,8 +268,8 @@ void hallway_brick_grid_hole_tiles(vec2 uv, ivec2 neighbour, vec2 uv_dx, vec2 uv
   tile_local_dy = uv_dy * 2.0;
 }
 
-// coverage_holes, of layer_element (layers/layer_element.glsl)
-float hallway_coverage_holes(vec2 q, vec2 cell_in_q, vec2 q_dx, vec2 q_dy) {
+// box_share (layers/box_share.glsl)
+float hallway_box_share_holes(vec2 q, vec2 cell_in_q, vec2 q_dx, vec2 q_dy) {
   vec2 density = 1.0 / clamp(sqrt(q_dx * q_dx + q_dy * q_dy), vec2(1e-5), cell_in_q);
   vec2 share = min((0.5 - abs(q - 0.5)) * density + 0.5, density);
   vec2 covered = clamp(share, 0.0, 1.0);
@@ -308,7 +308,7 @@ void hallway_layer_element_holes(hallway_Tile tile, vec2 tile_local_dx, vec2 til
   vec2 point3 = vec2(test ? -right.x : right.x, test ? -right.y : right.y);
   uint hash_value3 = hallway_hash(seed - 3u);
   vec2 luck = vec2(float(hash_value3 & 65535u), float(hash_value3 >> 16u)) * 1.5258789e-5;
-  float alpha2 = hallway_coverage_holes(q, into, q_dx, q_dy);
+  float alpha2 = hallway_box_share_holes(q, into, q_dx, q_dy);
   alpha = luck.y >= 0.3 ? 0.0 : alpha2;
   inner = hallway_Tile(sum, size * vec2(1.0, ratio) * tile.size, seed, point3, up);
   inner_local_dx = vec2(test ? -q_dx.x : q_dx.x, q_dx.y);
@@ -460,7 +460,7 @@ void hallway_layer_element_cracks(hallway_Tile tile, vec2 tile_local_dx, vec2 ti
   vec2 to_y = hallway_turned2(vec2(right.y, up.y), bits2);
   uint hash_value3 = hallway_hash(seed - 3u);
   vec2 luck = vec2(float(hash_value3 & 65535u), float(hash_value3 >> 16u)) * 1.5258789e-5;
-  float alpha2 = mix(0.6, 1.0, luck.x) * hallway_coverage_holes(q, into, q_dx, q_dy);
+  float alpha2 = mix(0.6, 1.0, luck.x) * hallway_box_share_holes(q, into, q_dx, q_dy);
   alpha = luck.y >= 0.62 ? 0.0 : alpha2;
   inner = hallway_Tile(turned_value + 0.5, product3, seed, vec2(to_x.x, to_y.x),
       vec2(to_x.y, to_y.y));
@@ -564,8 +564,8 @@ void hallway_layer_element_windows(hallway_Tile tile, vec2 tile_local_dx, vec2 t
   vec2 q_dy = tile_local_dy * vec2(2.9411764, 2.3529413);
   uint hash_value2 = hallway_hash(seed - 3u);
   vec2 luck = vec2(float(hash_value2 & 65535u), float(hash_value2 >> 16u)) * 1.5258789e-5;
-  float alpha2 = hallway_coverage_brick_layer(q, vec2(2.9411764, 2.3529413), tile.local, q_dx, q_dy,
-      tile_local_dx, tile_local_dy);
+  float alpha2 = hallway_box_share_brick_layer(q, vec2(2.9411764, 2.3529413), tile.local, q_dx,
+      q_dy, tile_local_dx, tile_local_dy);
   bool test = luck.y >= 0.6;
   alpha2 = test ? 0.0 : alpha2;
   vec2 width = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
@@ -662,7 +662,7 @@ void hallway_layer_element_runs(hallway_Tile tile, float chance, vec2 tile_local
   vec2 point = vec2(test ? -tile.right.x : tile.right.x, test ? -tile.right.y : tile.right.y);
   uint hash_value3 = hallway_hash(seed - 3u);
   vec2 luck = vec2(float(hash_value3 & 65535u), float(hash_value3 >> 16u)) * 1.5258789e-5;
-  float alpha2 = mix(0.5, 1.0, luck.x) * hallway_coverage_holes(q, into, q_dx, q_dy);
+  float alpha2 = mix(0.5, 1.0, luck.x) * hallway_box_share_holes(q, into, q_dx, q_dy);
   alpha = chance < 1.0 && chance <= luck.y ? 0.0 : alpha2;
   inner = hallway_Tile(sum, size * vec2(1.0, ratio) * tile.size, seed, point, tile.up);
   inner_local_dx = vec2(test ? -q_dx.x : q_dx.x, q_dx.y);
@@ -726,7 +726,7 @@ void hallway_layer_element_doors(hallway_Tile tile, vec2 tile_local_dx, vec2 til
   vec2 point = vec2(test ? -tile.right.x : tile.right.x, test ? -tile.right.y : tile.right.y);
   uint hash_value2 = hallway_hash(seed - 3u);
   vec2 luck = vec2(float(hash_value2 & 65535u), float(hash_value2 >> 16u)) * 1.5258789e-5;
-  float alpha2 = hallway_coverage_holes(q, vec2(2.7027028, 1.3513514), q_dx, q_dy);
+  float alpha2 = hallway_box_share_holes(q, vec2(2.7027028, 1.3513514), q_dx, q_dy);
   alpha = luck.y >= 0.62 ? 0.0 : alpha2;
   inner = hallway_Tile(sum, vec2(0.37, 0.74) * tile.size, seed, point, tile.up);
   inner_local_dx = vec2(test ? -q_dx.x : q_dx.x, q_dx.y);

@@ -87,8 +87,8 @@ vec4 opening_flowers_four_numbers(uint seed) {
   return vector * 1.5258789e-5;
 }
 
-// share_of, of tile_transform (indirection/tile_transform.glsl)
-float opening_flowers_share_of(vec2 q, vec2 q_dx, vec2 q_dy) {
+// box_share (layers/box_share.glsl)
+float opening_flowers_box_share(vec2 q, vec2 q_dx, vec2 q_dy) {
   vec2 density = 1.0 / clamp(sqrt(q_dx * q_dx + q_dy * q_dy), 1e-5, 1.0526316);
   vec2 share = min((0.5 - abs(q - 0.5)) * density + 0.5, density);
   vec2 covered = clamp(share, 0.0, 1.0);
@@ -115,7 +115,7 @@ void opening_flowers_tile_transform(opening_flowers_Tile tile, vec2 position, fl
   vec2 q = vec2(dot(turn, p), cosine * p.y - sine * p.x) / product + 0.5;
   vec2 sum = cosine * tile.right + sine * tile.up;
   inner = opening_flowers_Tile(q, product, sum, cosine * tile.up - sine * tile.right);
-  coverage = opening_flowers_share_of(q, q_dx, q_dy);
+  coverage = opening_flowers_box_share(q, q_dx, q_dy);
   inner_local_dx = q_dx;
   inner_local_dy = q_dy;
 }

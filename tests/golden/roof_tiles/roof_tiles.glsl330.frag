@@ -65,8 +65,8 @@ void brick_grid(vec2 uv, ivec2 neighbour, vec2 uv_dx, vec2 uv_dy, out Tile tile,
   tile_local_dy = uv_dy * 8.0;
 }
 
-// coverage, of layer_element (layers/layer_element.glsl)
-float coverage(vec2 q, vec2 cell_in_q, vec2 q_dx, vec2 q_dy) {
+// box_share (layers/box_share.glsl)
+float box_share(vec2 q, vec2 cell_in_q, vec2 q_dx, vec2 q_dy) {
   vec2 density = 1.0 / clamp(sqrt(q_dx * q_dx + q_dy * q_dy), vec2(1e-5), cell_in_q);
   vec2 share = min((0.5 - abs(q - 0.5)) * density + 0.5, density);
   vec2 covered = clamp(share, 0.0, 1.0);
@@ -104,7 +104,7 @@ void layer_element_tiles(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy, out 
   vec2 point3 = vec2(test ? -right.x : right.x, test ? -right.y : right.y);
   uint hash_value3 = hash(seed - 3u);
   vec2 luck = vec2(float(hash_value3 & 65535u), float(hash_value3 >> 16u)) * 1.5258789e-5;
-  float alpha2 = coverage(q, into, q_dx, q_dy);
+  float alpha2 = box_share(q, into, q_dx, q_dy);
   alpha = luck.y >= 0.985 ? 0.0 : alpha2;
   inner = Tile(sum, size * vec2(1.0, 2.0) * tile.size, seed, point3, up);
   inner_local_dx = vec2(test ? -q_dx.x : q_dx.x, q_dx.y);
@@ -317,7 +317,7 @@ void layer_element_moss_layer(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy,
   vec2 up = point * tile.up - point2 * tile.right;
   uint hash_value3 = hash(seed - 3u);
   vec2 luck = vec2(float(hash_value3 & 65535u), float(hash_value3 >> 16u)) * 1.5258789e-5;
-  float alpha2 = coverage(q, into, q_dx, q_dy);
+  float alpha2 = box_share(q, into, q_dx, q_dy);
   alpha = luck.y >= 0.4 ? 0.0 : alpha2;
   inner = Tile(q, size * vec2(1.0, ratio) * tile.size, seed, right, up);
   inner_local_dx = q_dx;

@@ -57,8 +57,8 @@ void roof_tiles_brick_grid(vec2 uv, ivec2 neighbour, vec2 uv_dx, vec2 uv_dy,
   tile_local_dy = uv_dy * 8.0;
 }
 
-// coverage, of layer_element (layers/layer_element.glsl)
-float roof_tiles_coverage(vec2 q, vec2 cell_in_q, vec2 q_dx, vec2 q_dy) {
+// box_share (layers/box_share.glsl)
+float roof_tiles_box_share(vec2 q, vec2 cell_in_q, vec2 q_dx, vec2 q_dy) {
   vec2 density = 1.0 / clamp(sqrt(q_dx * q_dx + q_dy * q_dy), vec2(1e-5), cell_in_q);
   vec2 share = min((0.5 - abs(q - 0.5)) * density + 0.5, density);
   vec2 covered = clamp(share, 0.0, 1.0);
@@ -96,7 +96,7 @@ void roof_tiles_layer_element_tiles(roof_tiles_Tile tile, vec2 tile_local_dx, ve
   vec2 point3 = vec2(test ? -right.x : right.x, test ? -right.y : right.y);
   uint hash_value3 = roof_tiles_hash(seed - 3u);
   vec2 luck = vec2(float(hash_value3 & 65535u), float(hash_value3 >> 16u)) * 1.5258789e-5;
-  float alpha2 = roof_tiles_coverage(q, into, q_dx, q_dy);
+  float alpha2 = roof_tiles_box_share(q, into, q_dx, q_dy);
   alpha = luck.y >= 0.985 ? 0.0 : alpha2;
   inner = roof_tiles_Tile(sum, size * vec2(1.0, 2.0) * tile.size, seed, point3, up);
   inner_local_dx = vec2(test ? -q_dx.x : q_dx.x, q_dx.y);
@@ -311,7 +311,7 @@ void roof_tiles_layer_element_moss_layer(roof_tiles_Tile tile, vec2 tile_local_d
   vec2 up = point * tile.up - point2 * tile.right;
   uint hash_value3 = roof_tiles_hash(seed - 3u);
   vec2 luck = vec2(float(hash_value3 & 65535u), float(hash_value3 >> 16u)) * 1.5258789e-5;
-  float alpha2 = roof_tiles_coverage(q, into, q_dx, q_dy);
+  float alpha2 = roof_tiles_box_share(q, into, q_dx, q_dy);
   alpha = luck.y >= 0.4 ? 0.0 : alpha2;
   inner = roof_tiles_Tile(q, size * vec2(1.0, ratio) * tile.size, seed, right, up);
   inner_local_dx = q_dx;

@@ -14,10 +14,8 @@ layout(location = 0) out vec4 out_color;
 
 // Types
 struct Tile {
-  ivec2 cell;
   vec2 local;
   vec2 size;
-  uint seed;
 };
 
 // Constants
@@ -50,9 +48,9 @@ vec4 four_numbers(uint seed) {
   return vector * 1.5258789e-5;
 }
 
-// share_of, of tile_transform (indirection/tile_transform.glsl)
-float share_of(vec2 q, float tile_in_q, vec2 q_dx, vec2 q_dy) {
-  vec2 density = 1.0 / clamp(sqrt(q_dx * q_dx + q_dy * q_dy), 1e-5, tile_in_q);
+// box_share (layers/box_share.glsl)
+float box_share(vec2 q, vec2 cell_in_q, vec2 q_dx, vec2 q_dy) {
+  vec2 density = 1.0 / clamp(sqrt(q_dx * q_dx + q_dy * q_dy), vec2(1e-5), cell_in_q);
   vec2 share = min((0.5 - abs(q - 0.5)) * density + 0.5, density);
   vec2 covered = clamp(share, 0.0, 1.0);
   return covered.x * covered.y;
@@ -77,8 +75,8 @@ void tile_transform(Tile tile, vec2 position, float scale, float rotation, vec2 
   vec2 ratio2 = vec2(dot(turn, p_dy), p_dy.y * cosine - p_dy.x * sine) / product;
   vec2 q_dy = mix(vec2(0.0), ratio2, test);
   vec2 q = vec2(dot(turn, p), cosine * p.y - sine * p.x) / product + 0.5;
-  float coverage2 = share_of(q, 1.0 / size, q_dx, q_dy);
-  inner = Tile(tile.cell, q, product, tile.seed);
+  float coverage2 = box_share(q, vec2(1.0 / size), q_dx, q_dy);
+  inner = Tile(q, product);
   coverage = scale > 0.0 ? coverage2 : 0.0;
   inner_local_dx = q_dx;
   inner_local_dy = q_dy;
@@ -90,21 +88,21 @@ ivec2 wrap_cell_area(ivec2 cell) {
   return (((cell ^ flip) % 14) ^ flip) + (flip & 14);
 }
 
+// dithered_area (indirection/dithered_area.glsl)
+ivec2 dithered_area(ivec2 cell, uint seed) {
+  ivec2 middle = 2 * wrap_cell_area(cell) + 3;
+  ivec2 last = middle / 4;
+  ivec2 share = middle % 4;
+  uint bits = hash(seed + 1u);
+  uvec2 numbers = uvec2(bits & 65535u, bits >> 16u);
+  uvec2 luck = numbers >> 14u;
+  return last - ivec2(lessThanEqual(share, ivec2(luck)));
+}
+
 // wrap_cell (tiles/wrap_cell.glsl)
 ivec2 wrap_cell_area2(ivec2 cell) {
   ivec2 flip = cell >> 31;
   return (((cell ^ flip) % 7) ^ flip) + (flip & 7);
-}
-
-// dithered_areas_map (indirection/dithered_areas_map.glsl)
-int dithered_areas_map(Tile tile) {
-  ivec2 middle = 2 * wrap_cell_area(tile.cell) + 3;
-  ivec2 last = middle / 4;
-  ivec2 share = middle % 4;
-  uint bits = hash(tile.seed + 1u);
-  ivec2 luck = ivec2(uvec2(bits & 65535u, bits >> 16u) >> 14u);
-  ivec2 picked = last - ivec2(lessThanEqual(share, luck));
-  return int(texelFetch(areas, wrap_cell_area2(picked), 0).x);
 }
 
 // drawn, of materials_map (indirection/materials_map.glsl)
@@ -122,7 +120,7 @@ vec4 seen_at(ivec2 neighbour, vec2 uv, vec2 uv_dx, vec2 uv_dy) {
   vec2 sum = floor(product) + vec2(neighbour);
   ivec2 numbers = ivec2(sum);
   uint cell_hash_value = cell_hash(numbers);
-  Tile grid = Tile(numbers, product - sum, vec2(0.071428575), cell_hash_value);
+  Tile grid = Tile(product - sum, vec2(0.071428575));
   vec2 grid_local_dx = uv_dx * 14.0;
   vec2 grid_local_dy = uv_dy * 14.0;
   // luck: virtual_random_map (indirection/virtual_random_map.glsl)
@@ -138,13 +136,14 @@ vec4 seen_at(ivec2 neighbour, vec2 uv, vec2 uv_dx, vec2 uv_dy) {
   tile_transform(grid, luck.xy, size, angle, grid_local_dx, grid_local_dy, leaf_inner,
       leaf_coverage, leaf_inner_local_dx, leaf_inner_local_dy);
   // area: dithered_areas_map (indirection/dithered_areas_map.glsl)
-  int area = dithered_areas_map(grid);
+  vec4 texel = texelFetch(areas, wrap_cell_area2(dithered_area(numbers, cell_hash_value)), 0);
+  int area = int(texel.x);
   // kind: materials_map (indirection/materials_map.glsl)
   int kind = drawn(area, cell_hash_value);
   // painted: reference_texture (indirection/reference_texture.glsl)
   vec3 vector = vec3(leaf_inner.local, float(kind));
-  vec4 texel = textureGrad(leaves, vector, leaf_inner_local_dx, leaf_inner_local_dy);
-  vec4 painted = kind < 0 ? vec4(0.0) : texel;
+  vec4 texel2 = textureGrad(leaves, vector, leaf_inner_local_dx, leaf_inner_local_dy);
+  vec4 painted = kind < 0 ? vec4(0.0) : texel2;
   // seen: apply_mask (layers/apply_mask.glsl)
   vec4 seen = vec4(painted.xyz, painted.w * leaf_coverage);
   return seen;
@@ -170,9 +169,7 @@ void main() {
   vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
   // grid: virtual_tile_map (indirection/virtual_tile_map.glsl)
   vec2 product = uv * 14.0;
-  vec2 whole = floor(product);
-  ivec2 numbers = ivec2(whole);
-  Tile grid = Tile(numbers, product - whole, vec2(0.071428575), cell_hash(numbers));
+  Tile grid = Tile(product - floor(product), vec2(0.071428575));
   vec2 grid_local_dx = uv_dx * 14.0;
   vec2 grid_local_dy = uv_dy * 14.0;
   // scattered: overlap (indirection/overlap.glsl)

@@ -38,9 +38,9 @@ vec4 scattered_leaves_four_numbers(uint seed) {
   return vector * 1.5258789e-5;
 }
 
-// share_of, of tile_transform (indirection/tile_transform.glsl)
-float scattered_leaves_share_of(vec2 q, float tile_in_q, vec2 q_dx, vec2 q_dy) {
-  vec2 density = 1.0 / clamp(sqrt(q_dx * q_dx + q_dy * q_dy), 1e-5, tile_in_q);
+// box_share (layers/box_share.glsl)
+float scattered_leaves_box_share(vec2 q, vec2 cell_in_q, vec2 q_dx, vec2 q_dy) {
+  vec2 density = 1.0 / clamp(sqrt(q_dx * q_dx + q_dy * q_dy), vec2(1e-5), cell_in_q);
   vec2 share = min((0.5 - abs(q - 0.5)) * density + 0.5, density);
   vec2 covered = clamp(share, 0.0, 1.0);
   return covered.x * covered.y;
@@ -65,7 +65,7 @@ void scattered_leaves_tile_transform(scattered_leaves_Tile tile, vec2 position, 
   vec2 ratio2 = vec2(dot(turn, p_dy), p_dy.y * cosine - p_dy.x * sine) / product;
   vec2 q_dy = mix(vec2(0.0), ratio2, test);
   vec2 q = vec2(dot(turn, p), cosine * p.y - sine * p.x) / product + 0.5;
-  float coverage2 = scattered_leaves_share_of(q, 1.0 / size, q_dx, q_dy);
+  float coverage2 = scattered_leaves_box_share(q, vec2(1.0 / size), q_dx, q_dy);
   inner = scattered_leaves_Tile(q, product);
   coverage = scale > 0.0 ? coverage2 : 0.0;
   inner_local_dx = q_dx;

@@ -78,8 +78,8 @@ vec2 turned_tiles2(vec2 p, uint bits) {
   return p2;
 }
 
-// coverage, of layer_element (layers/layer_element.glsl)
-float coverage(vec2 q, vec2 cell_in_q, vec2 local, vec2 q_dx, vec2 q_dy, vec2 local_dx,
+// box_share (layers/box_share.glsl)
+float box_share(vec2 q, vec2 cell_in_q, vec2 local, vec2 q_dx, vec2 q_dy, vec2 local_dx,
     vec2 local_dy) {
   vec2 density = 1.0 / clamp(sqrt(q_dx * q_dx + q_dy * q_dy), vec2(1e-5), cell_in_q);
   vec2 share = min((0.5 - abs(q - 0.5)) * density + 0.5, density);
@@ -121,7 +121,7 @@ void layer_element_tiles(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy, out 
   vec2 choice = (bits2 & 1u) != 0u ? product3.yx : product3;
   vec2 to_x = turned_tiles2(vec2(right.x, up.x), bits2);
   vec2 to_y = turned_tiles2(vec2(right.y, up.y), bits2);
-  float alpha2 = coverage(q, vec2(shrink), tile.local, q_dx, q_dy, tile_local_dx, tile_local_dy);
+  float alpha2 = box_share(q, vec2(shrink), tile.local, q_dx, q_dy, tile_local_dx, tile_local_dy);
   vec2 width = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
   float far = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
   alpha = mix(alpha2, 0.94580835, far);
@@ -303,9 +303,9 @@ void layer_element_worn(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy, out f
   vec2 to_y = turned_worn2(vec2(tile.right.y, tile.up.y), bits2);
   uint hash_value = hash(seed - 3u);
   vec2 luck = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
-  float coverage_value = coverage(q, vec2(1.0), tile.local, tile_local_dx, tile_local_dy,
+  float box_share_value = box_share(q, vec2(1.0), tile.local, tile_local_dx, tile_local_dy,
       tile_local_dx, tile_local_dy);
-  float alpha2 = luck.x * coverage_value;
+  float alpha2 = luck.x * box_share_value;
   vec2 width = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
   float far = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
   alpha = mix(alpha2, 0.5, far);

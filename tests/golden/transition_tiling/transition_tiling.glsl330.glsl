@@ -7,12 +7,6 @@ uniform sampler2DArray grounds;
 uniform sampler2D areas;
 uniform sampler2D far;
 
-// Types
-struct transition_tiling_Tile {
-  ivec2 cell;
-  uint seed;
-};
-
 // Constants
 const int transition_tiling_families[2] = int[2](0, 1);
 const int transition_tiling_transitions[16] = int[16](-1, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25,
@@ -37,25 +31,25 @@ uint transition_tiling_hash(uint value) {
   return (word >> 22u) ^ word;
 }
 
-// dithered_areas_map (indirection/dithered_areas_map.glsl)
-int transition_tiling_dithered_areas_map(transition_tiling_Tile tile) {
-  ivec2 middle = 2 * (tile.cell & 63) + 9;
+// dithered_area (indirection/dithered_area.glsl)
+ivec2 transition_tiling_dithered_area(ivec2 cell, uint seed) {
+  ivec2 middle = 2 * (cell & 63) + 9;
   ivec2 last = middle >> 4;
   ivec2 share = middle & 15;
-  uint bits = transition_tiling_hash(tile.seed + 1u);
-  ivec2 luck = ivec2(uvec2(bits & 65535u, bits >> 16u) >> 12u);
-  ivec2 picked = last - ivec2(lessThanEqual(share, luck));
-  return int(texelFetch(areas, picked & 7, 0).x);
+  uint bits = transition_tiling_hash(seed + 1u);
+  uvec2 numbers = uvec2(bits & 65535u, bits >> 16u);
+  uvec2 luck = numbers >> 12u;
+  return last - ivec2(lessThanEqual(share, ivec2(luck)));
 }
 
 // kind_at (a function of neighbour)
 int transition_tiling_kind_at_shore(vec2 uv) {
   // grid: virtual_tile_map (indirection/virtual_tile_map.glsl)
   ivec2 numbers = ivec2(floor(uv * 64.0) + vec2(1.0, 0.0));
-  transition_tiling_Tile grid = transition_tiling_Tile(numbers,
-      transition_tiling_cell_hash(numbers));
   // kind: dithered_areas_map (indirection/dithered_areas_map.glsl)
-  int kind = transition_tiling_dithered_areas_map(grid);
+  vec4 texel = texelFetch(areas, transition_tiling_dithered_area(numbers,
+      transition_tiling_cell_hash(numbers)) & 7, 0);
+  int kind = int(texel.x);
   return kind;
 }
 
@@ -63,10 +57,10 @@ int transition_tiling_kind_at_shore(vec2 uv) {
 int transition_tiling_kind_at_shore2(vec2 uv) {
   // grid: virtual_tile_map (indirection/virtual_tile_map.glsl)
   ivec2 numbers = ivec2(floor(uv * 64.0) + vec2(0.0, 1.0));
-  transition_tiling_Tile grid = transition_tiling_Tile(numbers,
-      transition_tiling_cell_hash(numbers));
   // kind: dithered_areas_map (indirection/dithered_areas_map.glsl)
-  int kind = transition_tiling_dithered_areas_map(grid);
+  vec4 texel = texelFetch(areas, transition_tiling_dithered_area(numbers,
+      transition_tiling_cell_hash(numbers)) & 7, 0);
+  int kind = int(texel.x);
   return kind;
 }
 
@@ -74,10 +68,10 @@ int transition_tiling_kind_at_shore2(vec2 uv) {
 int transition_tiling_kind_at_shore3(vec2 uv) {
   // grid: virtual_tile_map (indirection/virtual_tile_map.glsl)
   ivec2 numbers = ivec2(floor(uv * 64.0) + 1.0);
-  transition_tiling_Tile grid = transition_tiling_Tile(numbers,
-      transition_tiling_cell_hash(numbers));
   // kind: dithered_areas_map (indirection/dithered_areas_map.glsl)
-  int kind = transition_tiling_dithered_areas_map(grid);
+  vec4 texel = texelFetch(areas, transition_tiling_dithered_area(numbers,
+      transition_tiling_cell_hash(numbers)) & 7, 0);
+  int kind = int(texel.x);
   return kind;
 }
 
@@ -117,11 +111,11 @@ vec4 transition_tiling(vec2 uv) {
   vec2 whole = floor(product);
   ivec2 numbers = ivec2(whole);
   uint cell_hash_value = transition_tiling_cell_hash(numbers);
-  transition_tiling_Tile grid = transition_tiling_Tile(numbers, cell_hash_value);
   vec2 grid_local_dx = uv_dx * 64.0;
   vec2 grid_local_dy = uv_dy * 64.0;
   // kind: dithered_areas_map (indirection/dithered_areas_map.glsl)
-  int kind = transition_tiling_dithered_areas_map(grid);
+  int kind = int(texelFetch(areas, transition_tiling_dithered_area(numbers, cell_hash_value) & 7,
+      0).x);
   // shore: transition_tiles (indirection/transition_tiles.glsl)
   int shore_transition = transition_tiling_transition_tiles(uv, kind);
   // plain: materials_map (indirection/materials_map.glsl)

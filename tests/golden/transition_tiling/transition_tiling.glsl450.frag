@@ -12,12 +12,6 @@ layout(location = 2, binding = 2) uniform sampler2D far;
 // Outputs
 layout(location = 0) out vec4 out_color;
 
-// Types
-struct Tile {
-  ivec2 cell;
-  uint seed;
-};
-
 // Constants
 const int families[2] = int[2](0, 1);
 const int transitions[16] = int[16](-1, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, -1);
@@ -40,24 +34,24 @@ uint hash(uint value) {
   return (word >> 22u) ^ word;
 }
 
-// dithered_areas_map (indirection/dithered_areas_map.glsl)
-int dithered_areas_map(Tile tile) {
-  ivec2 middle = 2 * (tile.cell & 63) + 9;
+// dithered_area (indirection/dithered_area.glsl)
+ivec2 dithered_area(ivec2 cell, uint seed) {
+  ivec2 middle = 2 * (cell & 63) + 9;
   ivec2 last = middle >> 4;
   ivec2 share = middle & 15;
-  uint bits = hash(tile.seed + 1u);
-  ivec2 luck = ivec2(uvec2(bits & 65535u, bits >> 16u) >> 12u);
-  ivec2 picked = last - ivec2(lessThanEqual(share, luck));
-  return int(texelFetch(areas, picked & 7, 0).x);
+  uint bits = hash(seed + 1u);
+  uvec2 numbers = uvec2(bits & 65535u, bits >> 16u);
+  uvec2 luck = numbers >> 12u;
+  return last - ivec2(lessThanEqual(share, ivec2(luck)));
 }
 
 // kind_at (a function of neighbour)
 int kind_at_shore(vec2 uv) {
   // grid: virtual_tile_map (indirection/virtual_tile_map.glsl)
   ivec2 numbers = ivec2(floor(uv * 64.0) + vec2(1.0, 0.0));
-  Tile grid = Tile(numbers, cell_hash(numbers));
   // kind: dithered_areas_map (indirection/dithered_areas_map.glsl)
-  int kind = dithered_areas_map(grid);
+  vec4 texel = texelFetch(areas, dithered_area(numbers, cell_hash(numbers)) & 7, 0);
+  int kind = int(texel.x);
   return kind;
 }
 
@@ -65,9 +59,9 @@ int kind_at_shore(vec2 uv) {
 int kind_at_shore2(vec2 uv) {
   // grid: virtual_tile_map (indirection/virtual_tile_map.glsl)
   ivec2 numbers = ivec2(floor(uv * 64.0) + vec2(0.0, 1.0));
-  Tile grid = Tile(numbers, cell_hash(numbers));
   // kind: dithered_areas_map (indirection/dithered_areas_map.glsl)
-  int kind = dithered_areas_map(grid);
+  vec4 texel = texelFetch(areas, dithered_area(numbers, cell_hash(numbers)) & 7, 0);
+  int kind = int(texel.x);
   return kind;
 }
 
@@ -75,9 +69,9 @@ int kind_at_shore2(vec2 uv) {
 int kind_at_shore3(vec2 uv) {
   // grid: virtual_tile_map (indirection/virtual_tile_map.glsl)
   ivec2 numbers = ivec2(floor(uv * 64.0) + 1.0);
-  Tile grid = Tile(numbers, cell_hash(numbers));
   // kind: dithered_areas_map (indirection/dithered_areas_map.glsl)
-  int kind = dithered_areas_map(grid);
+  vec4 texel = texelFetch(areas, dithered_area(numbers, cell_hash(numbers)) & 7, 0);
+  int kind = int(texel.x);
   return kind;
 }
 
@@ -117,11 +111,10 @@ void main() {
   vec2 whole = floor(product);
   ivec2 numbers = ivec2(whole);
   uint cell_hash_value = cell_hash(numbers);
-  Tile grid = Tile(numbers, cell_hash_value);
   vec2 grid_local_dx = uv_dx * 64.0;
   vec2 grid_local_dy = uv_dy * 64.0;
   // kind: dithered_areas_map (indirection/dithered_areas_map.glsl)
-  int kind = dithered_areas_map(grid);
+  int kind = int(texelFetch(areas, dithered_area(numbers, cell_hash_value) & 7, 0).x);
   // shore: transition_tiles (indirection/transition_tiles.glsl)
   int shore_transition = transition_tiles(uv, kind);
   // plain: materials_map (indirection/materials_map.glsl)

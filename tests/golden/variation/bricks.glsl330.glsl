@@ -102,8 +102,8 @@ vec3 bricks_varied(bricks_Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
   return mix(mix(vec3(grey), one, 0.9975142), one, near);
 }
 
-// coverage, of layer_element (layers/layer_element.glsl)
-float bricks_coverage(vec2 q, vec2 cell_in_q, vec2 local, vec2 q_dx, vec2 q_dy, vec2 local_dx,
+// box_share (layers/box_share.glsl)
+float bricks_box_share(vec2 q, vec2 cell_in_q, vec2 local, vec2 q_dx, vec2 q_dy, vec2 local_dx,
     vec2 local_dy) {
   vec2 density = 1.0 / clamp(sqrt(q_dx * q_dx + q_dy * q_dy), vec2(1e-5), cell_in_q);
   vec2 share = min((0.5 - abs(q - 0.5)) * density + 0.5, density);
@@ -136,7 +136,7 @@ void bricks_layer_element_bricks(bricks_Tile tile, vec2 tile_local_dx, vec2 tile
   vec2 q_dy = tile_local_dy * point + tile_local_dy.yx * product2;
   vec2 right = cosine * tile.right + sine * tile.up;
   vec2 up = cosine * tile.up - sine * tile.right;
-  float alpha2 = bricks_coverage(q, vec2(shrink), tile.local, q_dx, q_dy, tile_local_dx,
+  float alpha2 = bricks_box_share(q, vec2(shrink), tile.local, q_dx, q_dy, tile_local_dx,
       tile_local_dy);
   vec2 width = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
   float far = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
@@ -199,9 +199,9 @@ void bricks_layer_element_sooty(bricks_Tile tile, vec2 tile_local_dx, vec2 tile_
   vec2 up = cosine * tile.up - sine * tile.right;
   uint hash_value3 = bricks_hash(seed - 3u);
   vec2 luck = vec2(float(hash_value3 & 65535u), float(hash_value3 >> 16u)) * 1.5258789e-5;
-  float coverage_value = bricks_coverage(q, vec2(shrink), tile.local, q_dx, q_dy, tile_local_dx,
+  float box_share_value = bricks_box_share(q, vec2(shrink), tile.local, q_dx, q_dy, tile_local_dx,
       tile_local_dy);
-  float alpha2 = luck.x * coverage_value;
+  float alpha2 = luck.x * box_share_value;
   alpha2 = luck.y >= 0.7 ? 0.0 : alpha2;
   vec2 width = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);
   float far = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
@@ -251,7 +251,7 @@ void bricks_layer_element_mossy(bricks_Tile tile, vec2 tile_local_dx, vec2 tile_
   vec2 up = cosine * tile.up - sine * tile.right;
   uint hash_value3 = bricks_hash(seed - 3u);
   vec2 luck = vec2(float(hash_value3 & 65535u), float(hash_value3 >> 16u)) * 1.5258789e-5;
-  float alpha2 = bricks_coverage(q, along * shrink, tile.local, q_dx, q_dy, tile_local_dx,
+  float alpha2 = bricks_box_share(q, along * shrink, tile.local, q_dx, q_dy, tile_local_dx,
       tile_local_dy);
   alpha2 = luck.y >= 0.4 ? 0.0 : alpha2;
   vec2 width = sqrt(tile_local_dx * tile_local_dx + tile_local_dy * tile_local_dy);

@@ -50,8 +50,8 @@ void brick_grid(vec2 uv, vec2 uv_dx, vec2 uv_dy, out Tile tile, out vec2 tile_lo
   tile_local_dy = uv_dy * 4.0;
 }
 
-// coverage, of layer_element (layers/layer_element.glsl)
-float coverage(vec2 q, vec2 cell_in_q, vec2 q_dx, vec2 q_dy) {
+// box_share (layers/box_share.glsl)
+float box_share(vec2 q, vec2 cell_in_q, vec2 q_dx, vec2 q_dy) {
   vec2 density = 1.0 / clamp(sqrt(q_dx * q_dx + q_dy * q_dy), vec2(1e-5), cell_in_q);
   vec2 share = min((0.5 - abs(q - 0.5)) * density + 0.5, density);
   vec2 covered = clamp(share, 0.0, 1.0);
@@ -82,7 +82,7 @@ void layer_element(Tile tile, vec2 position_min, vec2 position_max, vec2 scale, 
   vec2 q_dy = tile_local_dy * point + tile_local_dy.yx * product2;
   vec2 right = cosine * tile.right + sine * tile.up;
   vec2 up = cosine * tile.up - sine * tile.right;
-  alpha = coverage(q, vec2(shrink), q_dx, q_dy);
+  alpha = box_share(q, vec2(shrink), q_dx, q_dy);
   inner = Tile(q, size * tile.size, seed, right, up);
   inner_local_dx = q_dx;
   inner_local_dy = q_dy;

@@ -42,8 +42,8 @@ void parents_brick_grid(vec2 uv, vec2 uv_dx, vec2 uv_dy, out parents_Tile tile,
   tile_local_dy = uv_dy * 4.0;
 }
 
-// coverage, of layer_element (layers/layer_element.glsl)
-float parents_coverage(vec2 q, vec2 cell_in_q, vec2 q_dx, vec2 q_dy) {
+// box_share (layers/box_share.glsl)
+float parents_box_share(vec2 q, vec2 cell_in_q, vec2 q_dx, vec2 q_dy) {
   vec2 density = 1.0 / clamp(sqrt(q_dx * q_dx + q_dy * q_dy), vec2(1e-5), cell_in_q);
   vec2 share = min((0.5 - abs(q - 0.5)) * density + 0.5, density);
   vec2 covered = clamp(share, 0.0, 1.0);
@@ -74,7 +74,7 @@ void parents_layer_element(parents_Tile tile, vec2 position_min, vec2 position_m
   vec2 q_dy = tile_local_dy * point + tile_local_dy.yx * product2;
   vec2 right = cosine * tile.right + sine * tile.up;
   vec2 up = cosine * tile.up - sine * tile.right;
-  alpha = parents_coverage(q, vec2(shrink), q_dx, q_dy);
+  alpha = parents_box_share(q, vec2(shrink), q_dx, q_dy);
   inner = parents_Tile(q, size * tile.size, seed, right, up);
   inner_local_dx = q_dx;
   inner_local_dy = q_dy;

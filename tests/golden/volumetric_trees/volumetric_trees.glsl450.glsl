@@ -71,15 +71,14 @@ vec4 volumetric_trees_four_numbers(uint seed) {
   return vector * 1.5258789e-5;
 }
 
-// share_of, of tile_transform (indirection/tile_transform.glsl)
-float volumetric_trees_share_of(vec2 q, float tile_in_q, vec2 local, vec2 q_dx, vec2 q_dy,
+// box_share (layers/box_share.glsl)
+float volumetric_trees_box_share(vec2 q, vec2 cell_in_q, vec2 local, vec2 q_dx, vec2 q_dy,
     vec2 local_dx, vec2 local_dy) {
-  vec2 density = 1.0 / clamp(sqrt(q_dx * q_dx + q_dy * q_dy), 1e-5, tile_in_q);
+  vec2 density = 1.0 / clamp(sqrt(q_dx * q_dx + q_dy * q_dy), vec2(1e-5), cell_in_q);
   vec2 share = min((0.5 - abs(q - 0.5)) * density + 0.5, density);
-  vec2 width = clamp(sqrt(local_dx * local_dx + local_dy * local_dy), 1e-5, 1.0);
-  vec2 clamped = clamp((0.5 - abs(local - 0.5)) / width + 0.5, 0.5, 1.0);
-  share /= clamped;
-  vec2 covered = clamp(share, 0.0, 1.0);
+  vec2 cell_width = clamp(sqrt(local_dx * local_dx + local_dy * local_dy), 1e-5, 1.0);
+  vec2 inside = clamp((0.5 - abs(local - 0.5)) / cell_width + 0.5, 0.5, 1.0);
+  vec2 covered = clamp(share / inside, 0.0, 1.0);
   return covered.x * covered.y;
 }
 
@@ -116,9 +115,9 @@ void volumetric_trees_tile_transform(volumetric_trees_Tile3 tile, vec3 position,
   float pixel = clamp(sqrt(height_dx * height_dx + height_dy * height_dy), 1e-5, ratio3);
   float least = min((0.5 - abs(height - 0.5)) / pixel + 0.5, 1.0 / pixel);
   float slice = clamp(least, 0.0, 1.0);
-  float share_of_value = volumetric_trees_share_of(q, ratio3, tile.local.xy, q_dx, q_dy,
+  float box_share_value = volumetric_trees_box_share(q, vec2(ratio3), tile.local.xy, q_dx, q_dy,
       tile_local_dx.xy, tile_local_dy.xy);
-  float coverage2 = share_of_value * slice;
+  float coverage2 = slice * box_share_value;
   vec2 sum2 = tile_local_dx.xy * tile_local_dx.xy + tile_local_dy.xy * tile_local_dy.xy;
   vec2 tiles = sqrt(sum2);
   float away = clamp(2.0 * max(tiles.x, tiles.y) - 1.0, 0.0, 1.0);

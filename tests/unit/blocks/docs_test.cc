@@ -428,5 +428,19 @@ TEST(BlockDocs, Enumerations) {
   EXPECT_THAT(words(in[2]), ElementsAre());
 }
 
+TEST(BlockDocs, SharedEnumerationsAreThoseThatTheFileSpeaksOf) {
+  TestLibrary test(Files{{"x.glsl",
+                          "/// X.\n/// @param turn it @default TURN_NONE\n"
+                          "int x(const int turn) { return turn; }"},
+                         {"y.glsl",
+                          "/// Y.\n/// @param turn how many @default 7\n"
+                          "int y(const int turn) { return turn; }"}});
+  const Block* x = test.library.Find("x");
+  const Block* y = test.library.Find("y");
+  ASSERT_TRUE(x && y) << test.Report();
+  EXPECT_EQ(x->overloads[0].inputs[0].words.size(), 3u);
+  EXPECT_TRUE(y->overloads[0].inputs[0].words.empty());
+}
+
 }  // namespace
 }  // namespace texgraph::blocks
