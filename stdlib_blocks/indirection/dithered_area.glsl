@@ -7,8 +7,8 @@
 ///   Areas Map
 /// @param cell column and row of the tile
 /// @param seed the tile's random bits
-/// @param cells columns and rows of the tile map, which repeats; at least 1
-/// @param tiles how many tiles an area has, across and up, at least 1
+/// @param cells columns and rows of the tile map, which repeats @range 1 1048576
+/// @param tiles how many tiles an area has, across and up @range 1 1048576
 /// @param stream blocks with different streams dither independently @default 1
 /// @return column and row of the area, from -1 to one beyond the last
 ivec2 dithered_area(ivec2 cell, uint seed, ivec2 cells, ivec2 tiles, const int stream) {
@@ -27,8 +27,8 @@ ivec2 dithered_area(ivec2 cell, uint seed, ivec2 cells, ivec2 tiles, const int s
 /// Of a line one random number decides, in space three.
 /// @param cell which cell
 /// @param seed the cell's random bits
-/// @param cells how many cells the tile map has; at least 1
-/// @param tiles how many cells an area has, at least 1
+/// @param cells how many cells the tile map has @range 1 1048576
+/// @param tiles how many cells an area has @range 1 1048576
 /// @param stream blocks with different streams dither independently @default 1
 int dithered_area(int cell, uint seed, int cells, int tiles, const int stream) {
   int area = 2 * tiles;
@@ -40,8 +40,8 @@ int dithered_area(int cell, uint seed, int cells, int tiles, const int stream) {
 
 /// @param cell column, row and slice
 /// @param seed the cell's random bits
-/// @param cells columns, rows and slices of the tile map; at least 1
-/// @param tiles how many cells an area has in each direction, at least 1
+/// @param cells columns, rows and slices of the tile map @range 1 1048576
+/// @param tiles how many cells an area has in each direction @range 1 1048576
 /// @param stream blocks with different streams dither independently @default 1
 ivec3 dithered_area(ivec3 cell, uint seed, ivec3 cells, ivec3 tiles, const int stream) {
   ivec3 area = 2 * tiles;
