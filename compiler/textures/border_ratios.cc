@@ -126,22 +126,28 @@ double Ratio(const DifferenceMean& border, const DifferenceMean& inside) {
 
 }  // namespace
 
-Differences MeasureInside(const ir::Texture::Level& level, bool skip_ring) {
-  Differences inside;
-  for (bool vertical : {false, true})
-    AddInside(Lines(level, vertical), level.depth, skip_ring ? 1 : 0, inside);
+AxisDifferences MeasureInside(const ir::Texture::Level& level, bool skip_ring) {
+  AxisDifferences inside;
+  AddInside(Lines(level, false), level.depth, skip_ring ? 1 : 0, inside.right);
+  AddInside(Lines(level, true), level.depth, skip_ring ? 1 : 0, inside.up);
   return inside;
 }
 
-BorderRatios CompareBorders(const ir::Texture::Level& level, const Differences& inside,
+BorderRatios CompareBorders(const ir::Texture::Level& level, const AxisDifferences& inside,
                             size_t most_lines) {
   if (level.depth < 2 || level.width < 2 || level.height < 2) return {};
-  Differences borders;
-  DifferenceMean halves, jumps;
-  for (bool vertical : {false, true})
+  BorderRatios largest;
+  for (bool vertical : {false, true}) {
+    Differences borders;
+    DifferenceMean halves, jumps;
     AddBorders(Lines(level, vertical), level.depth, most_lines, borders, halves, jumps);
-  return {std::max(Ratio(borders.values, inside.values), 2 * Ratio(halves, inside.values)),
-          std::max(Ratio(borders.slopes, inside.slopes), Ratio(jumps, inside.slopes))};
+    const Differences& own = vertical ? inside.up : inside.right;
+    largest.values = std::max(
+        {largest.values, Ratio(borders.values, own.values), 2 * Ratio(halves, own.values)});
+    largest.slopes =
+        std::max({largest.slopes, Ratio(borders.slopes, own.slopes), Ratio(jumps, own.slopes)});
+  }
+  return largest;
 }
 
 BorderRatios MeasureBorders(const ir::Texture::Level& level) {

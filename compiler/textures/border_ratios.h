@@ -23,11 +23,14 @@ class DifferenceMean {
 struct Differences {
   DifferenceMean values, slopes;  // first differences, and second ones
 };
+struct AxisDifferences {
+  Differences right, up;
+};
 
 // Of all neighbours within the layers; `skip_ring`: without those that touch the outermost texels.
-Differences MeasureInside(const ir::Texture::Level& level, bool skip_ring);
+AxisDifferences MeasureInside(const ir::Texture::Level& level, bool skip_ring);
 // Along at most so many lines of texels, evenly spread.
-BorderRatios CompareBorders(const ir::Texture::Level& level, const Differences& inside,
+BorderRatios CompareBorders(const ir::Texture::Level& level, const AxisDifferences& inside,
                             size_t most_lines);
 
 }  // namespace texgraph::textures

@@ -93,7 +93,7 @@ class EdgeMatcher {
     const uint32_t side = std::min(level_.width, level_.height);
     // Inside of large levels the change is not seen; trying it needs two rings of texels alone.
     const bool is_small = side <= kSmallSide;
-    Differences inside = MeasureInside(level_, !is_small);
+    AxisDifferences inside = MeasureInside(level_, !is_small);
     const std::span<const Strength> strengths =
         side <= kTinySide ? std::span<const Strength>(kTinyStrengths) : kStrengths;
     Change best{1, {1, 1, 1}};

@@ -31,8 +31,8 @@ void MixCoarsestLevels(ir::Texture& patterns, std::span<const double> shares,
                        bool alpha_is_opacity);
 
 // Mean absolute differences at borders of two different layers, as parts of those inside of the
-// layers, over both axes and all channels. 0 where there are none at borders, infinity where there
-// are none inside.
+// layers along the same axis, over all channels: of the two axes the larger. 0 where there are none
+// at borders, infinity where there are none inside.
 struct BorderRatios {
   double values = 0;  // the larger of steps of a texel, and of half a texel of the filter's
   double slopes = 0;  // the larger of second differences, and of jumps of the bilinear slope

@@ -47,11 +47,12 @@ float nearness(vec2 right, vec2 up) {
 // Materials are their own families.
 int family(ivec2 cell) { return clamp(dithered_area(cell, cell_bits(cell)), 0, 1); }
 
-// The patterns repeat, so that the coordinate need not jump from cell to cell.
+// The edges of a shore differ, so that patterns are clamped: the coordinate jumps from cell to cell.
 void main() {
   vec2 p = uv * 64.0;
   vec2 right = dFdx(p), up = dFdy(p);
-  ivec2 cell = ivec2(floor(p));
+  vec2 whole = floor(p);
+  ivec2 cell = ivec2(whole);
   uint seed = cell_bits(cell);
   int kind = dithered_area(cell, seed);
   int here = clamp(kind, 0, 1);
@@ -61,7 +62,7 @@ void main() {
   if (kind < 0) pattern = -1;
   if (shore != 0 && shore != 15) pattern = 15 + shore;
   vec4 mean = texture(far, uv);
-  vec4 close = texture(grounds, vec3(p, float(pattern)));
-  if (pattern < 0) close = vec4(0.0);
+  vec4 close = pattern < 0 ? vec4(0.0)
+                           : textureGrad(grounds, vec3(p - whole, float(pattern)), right, up);
   out_color = mix(mean, close, nearness(right, up));
 }
