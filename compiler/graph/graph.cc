@@ -135,8 +135,8 @@ uint32_t FirstEqualTexture(const Graph& graph, uint32_t index) {
   auto state = [](const Texture& t) {
     return std::tie(t.files, t.kind, t.masks, t.key, t.color_space, t.alpha_is_opacity, t.filter,
                     t.wrap_u, t.wrap_v, t.wrap_w, t.mipmaps, t.max_level, t.pack, t.grid,
-                    t.match_edges, t.weights, t.map, t.legend, t.is_constant, t.sprites,
-                    t.dithered);
+                    t.match_edges, t.edge_groups, t.weights, t.map, t.legend, t.is_constant,
+                    t.sprites, t.dithered);
   };
   auto equal = [&](const Texture& a, const Texture& b) {
     return state(a) == state(b) && (a.kind != TextureKind::kMeans || a.of == b.of);

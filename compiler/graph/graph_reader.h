@@ -138,15 +138,20 @@ class GraphReader {
   void CountLayers(std::optional<uint32_t> limit, SourceRange cells, SpriteMap& map);
   // resolve_textures.cc: what textures say of each other.
   void ResolveTextures();
-  std::optional<uint32_t> FindTexture(const DocumentNode& node, Owner owner);
+  std::optional<uint32_t> FindTexture(const DocumentNode& node, Owner owner,
+                                      std::span<const std::string_view> words = {});
   bool KnownKind(uint32_t index) const;
   void ResolveOf(uint32_t index);
   void ResolveWeights(uint32_t index);
   double ReadWeight(const DocumentNode& node);
   void ReadWeights(const DocumentNode& node, Owner owner, Texture& texture);
+  const NumberMap* FindLists(const DocumentNode& node, Owner owner, uint32_t index,
+                             std::span<const std::string_view> words = {});
   void CountWeights(const DocumentNode& node, Owner owner, uint32_t index);
   void CheckNumbers(uint32_t index);
   void CheckMeans(uint32_t index);
+  // resolve_edges.cc
+  void ResolveEdges(uint32_t index);
   void ReadParameters(const DocumentNode* section);
   void ReadParameter(const DocumentNode& node);
   void ReadRange(const DocumentNode* node, Owner owner, Parameter& parameter);

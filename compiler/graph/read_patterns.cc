@@ -34,7 +34,6 @@ void GraphReader::ReadPatterns(const DocumentNode& node, const TextureKeys& keys
                         texture.pack);
   texture.is_array = texture.pack == TexturePack::kArray;
   texture.is_3d = texture.pack == TexturePack::kVolume;
-  ReadWord<bool>(at(TextureKey::kEdges), owner, {{"match", true}}, texture.match_edges);
   ReadGrid(node, keys, owner, texture);
   if (texture.is_array) return;
   for (const DocumentNode* key : {at(TextureKey::kEdges), at(TextureKey::kWeights)}) {

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// What textures say of each other: "of", "weights" and "means". Means are of maps, the numbers of
-// maps lead to lists, sprites or patterns, and those of lists and sprites to patterns: since every
-// step leads to another kind, there are no circles.
+// What textures say of each other: "of", "weights", "edges" and "means". Means are of maps, the
+// numbers of maps lead to lists, sprites or patterns, and those of lists and sprites to patterns:
+// since every step leads to another kind, there are no circles.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "compiler/base/name_map.h"
+#include "compiler/base/text.h"
 #include "compiler/graph/argument.h"
 #include "compiler/graph/graph_reader.h"
 
@@ -107,23 +108,31 @@ void GraphReader::ResolveTextures() {
   }
   const auto count = static_cast<uint32_t>(graph_.textures.size());
   for (uint32_t i = 0; i < count; ++i) ResolveOf(i);
-  for (uint32_t i = 0; i < count; ++i) ResolveWeights(i);
+  for (uint32_t i = 0; i < count; ++i) {
+    ResolveEdges(i);
+    ResolveWeights(i);
+  }
   for (uint32_t i = 0; i < count; ++i) CheckNumbers(i);
   for (uint32_t i = 0; i < count; ++i) CheckMeans(i);
 }
 
-std::optional<uint32_t> GraphReader::FindTexture(const DocumentNode& node, Owner owner) {
+// `words`: what might have been meant as well.
+std::optional<uint32_t> GraphReader::FindTexture(const DocumentNode& node, Owner owner,
+                                                 std::span<const std::string_view> words) {
   std::string_view name;
   if (!ReadText(&node, owner, name)) return std::nullopt;
   if (const uint32_t* found = texture_names_.Find(name)) {
     // What is wrong with a texture is said at its own place.
     return KnownKind(*found) ? std::optional(*found) : std::nullopt;
   }
-  std::vector<std::string_view> names;
+  std::vector<std::string_view> names(words.begin(), words.end());
   for (const Texture& texture : graph_.textures) names.push_back(texture.name);
-  diagnostics_.Error(
-      DiagnosticKind::kUnknownReference, node.range,
-      fmt::format("no texture is called '{}'{}", Printable(name, 64), DidYouMean(name, names)));
+  std::string message = words.empty()
+                            ? fmt::format("no texture is called '{}'", Printable(name, 64))
+                            : fmt::format("'{}' is neither {} nor the name of a texture",
+                                          Printable(name, 64), ListedQuoted(words, " nor "));
+  diagnostics_.Error(DiagnosticKind::kUnknownReference, node.range,
+                     message + DidYouMean(name, names));
   return std::nullopt;
 }
 
@@ -204,19 +213,21 @@ double GraphReader::ReadWeight(const DocumentNode& node) {
   return -1;
 }
 
-// A pattern's weight is how often the lists have it.
-void GraphReader::CountWeights(const DocumentNode& node, Owner owner, uint32_t index) {
-  Texture& texture = graph_.textures[index];
-  const std::optional<uint32_t> found = FindTexture(node, owner);
-  if (!found) return;
+// The numbers of the lists that `node` names and that choose from the patterns of the texture; null
+// if there are none, which was reported.
+const NumberMap* GraphReader::FindLists(const DocumentNode& node, Owner owner, uint32_t index,
+                                        std::span<const std::string_view> words) {
+  const Texture& texture = graph_.textures[index];
+  const std::optional<uint32_t> found = FindTexture(node, owner, words);
+  if (!found) return nullptr;
   const Texture& lists = graph_.textures[*found];
   if (lists.kind != TextureKind::kLists) {
     diagnostics_
         .Error(DiagnosticKind::kBadValue, node.range,
-               fmt::format("'weights' of {} names lists, but '{}' is {}", owner.Text(), lists.name,
-                           KindText(lists.kind)))
+               fmt::format("'{}' of {} names lists, but '{}' is {}", node.key, owner.Text(),
+                           lists.name, KindText(lists.kind)))
         .AddNote(lists.range, fmt::format("'{}' is here", lists.name));
-    return;
+    return nullptr;
   }
   const DocumentNode* of = texture_keys_[*found][static_cast<size_t>(TextureKey::kOf)];
   if (!of || (lists.of && *lists.of != index)) {
@@ -226,11 +237,18 @@ void GraphReader::CountWeights(const DocumentNode& node, Owner owner, uint32_t i
             fmt::format("the lists '{}' are not of the patterns of {}", lists.name, owner.Text()))
         .AddNote(of ? of->range : lists.range,
                  fmt::format("\"of\": \"{}\" would say so", texture.name));
-    return;
+    return nullptr;
   }
-  if (lists.map.numbers.empty()) return;  // it has a mistake
+  return lists.map.numbers.empty() ? nullptr : &lists.map;  // none: it has a mistake
+}
+
+// A pattern's weight is how often the lists have it.
+void GraphReader::CountWeights(const DocumentNode& node, Owner owner, uint32_t index) {
+  const NumberMap* lists = FindLists(node, owner, index);
+  if (!lists) return;
+  Texture& texture = graph_.textures[index];
   texture.weights.assign(texture.PatternCount(), 0.0);
-  for (int32_t pattern : lists.map.numbers) {
+  for (int32_t pattern : lists->numbers) {
     if (pattern >= 0 && static_cast<size_t>(pattern) < texture.weights.size()) {
       texture.weights[static_cast<size_t>(pattern)] += 1;
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The section "textures" of a graph: pictures, patterns that are packed together, and maps of whole
-// numbers. What a texture says of others ("of", "weights", "means") is resolved and checked; what
-// stands in files is not looked at, except that a map's picture is decoded later
+// numbers. What a texture says of others ("of", "edges", "weights", "means") is resolved and
+// checked; what stands in files is not looked at, except that a map's picture is decoded later
 // (compiler/prepare).
 #pragma once
 
@@ -106,7 +106,10 @@ struct Texture {
   // the left top corner, row by row.
   std::array<uint32_t, 2> grid = {1, 1};
   SourceRange grid_range;
-  bool match_edges = false;  // "edges": "match"
+  bool match_edges = false;  // "edges"
+  // Of the edges that match, for each pattern the first of the group it fits in: a pattern alone is
+  // its own. None: all patterns are one group.
+  std::vector<uint32_t> edge_groups;
   // Of each pattern in the coarsest mip levels, 0 to kMaxWeight, not all 0; none: as they are.
   std::vector<double> weights;
 

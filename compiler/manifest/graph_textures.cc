@@ -167,6 +167,7 @@ textures::TextureOptions OptionsOf(const graph::Texture& texture) {
   options.is_array = texture.is_array;
   options.is_3d = texture.is_3d;
   options.match_edges = texture.match_edges;
+  options.edge_groups = texture.edge_groups;
   options.weights = texture.weights;
   return options;
 }

@@ -245,6 +245,33 @@ std::span<Texel> LayerOf(PatternLevel& level, size_t layer) {
   return std::span(level.texels).subspan(layer * plane, plane);
 }
 
+// The layers of each group that has more than one.
+std::vector<std::vector<uint32_t>> LayersOfGroups(std::span<const uint32_t> groups) {
+  std::vector<std::vector<uint32_t>> layers(groups.size());
+  for (size_t i = 0; i < groups.size(); ++i) layers[groups[i]].push_back(static_cast<uint32_t>(i));
+  std::erase_if(layers, [](const auto& group) { return group.size() < 2; });
+  return layers;
+}
+
+PatternLevel TakeLayers(PatternLevel& level, std::span<const uint32_t> layers) {
+  PatternLevel taken;
+  taken.width = level.width;
+  taken.height = level.height;
+  taken.depth = static_cast<uint32_t>(layers.size());
+  for (uint32_t layer : layers) {
+    const std::span<const Texel> texels = LayerOf(level, layer);
+    taken.texels.insert(taken.texels.end(), texels.begin(), texels.end());
+  }
+  return taken;
+}
+
+void MatchLevel(PatternLevel& level, std::span<const double> shares, bool is_base,
+                bool alpha_is_opacity) {
+  if (level.depth < 2) return;
+  EdgeMatcher matcher(level, shares, WeighsColors(level, alpha_is_opacity));
+  if (!is_base || !matcher.BordersAreEqual()) matcher.Match();
+}
+
 std::array<double, 4> MeanOf(std::span<const Texel> texels) {
   std::array<double, 4> mean{};
   for (const Texel& texel : texels) {
@@ -267,12 +294,24 @@ std::vector<double> LayerShares(std::span<const double> weights, size_t layers) 
   return shares;
 }
 
-void MatchEdges(ir::Texture& patterns, std::span<const double> shares, bool alpha_is_opacity) {
+void MatchEdges(ir::Texture& patterns, std::span<const double> shares, bool alpha_is_opacity,
+                std::span<const uint32_t> groups) {
   for (PatternLevel& level : patterns.levels) {
-    if (level.width < 2 || level.height < 2 || level.depth < 2) continue;
-    EdgeMatcher matcher(level, shares, WeighsColors(level, alpha_is_opacity));
-    const bool as_given = &level == &patterns.levels[0] && matcher.BordersAreEqual();
-    if (!as_given) matcher.Match();
+    if (level.width < 2 || level.height < 2) continue;
+    const bool is_base = &level == &patterns.levels[0];
+    if (groups.size() != level.depth) {
+      MatchLevel(level, shares, is_base, alpha_is_opacity);
+      continue;
+    }
+    for (const std::vector<uint32_t>& layers : LayersOfGroups(groups)) {
+      PatternLevel own = TakeLayers(level, layers);
+      std::vector<double> own_shares;
+      for (uint32_t layer : layers) own_shares.push_back(shares[layer]);
+      MatchLevel(own, LayerShares(own_shares, layers.size()), is_base, alpha_is_opacity);
+      for (size_t i = 0; i < layers.size(); ++i) {
+        std::ranges::copy(LayerOf(own, i), LayerOf(level, layers[i]).begin());
+      }
+    }
   }
 }
 

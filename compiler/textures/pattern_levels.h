@@ -15,15 +15,18 @@ namespace texgraph::textures {
 // if their sum is not above 0.
 std::vector<double> LayerShares(std::span<const double> weights, size_t layers);
 
-// Changes every layer near its borders, in levels of 2x2 texels or more, so that a tiling of the
-// patterns, sampled bilinearly with wrap repeat, has no jump in value at any border (in levels of 4
-// texels a side and less: none that is larger in the mean than the differences inside of the
-// patterns in steps of half a texel or more), and none in slope that is larger in the mean than
-// those inside, as far as that can be had: the outermost texels alone where that is enough, more
-// where it is not. Numbers stay within 0 to 1. Level 0 stays as it is if its outermost texels are
-// equal in all layers. Where alpha is opacity, it weighs the colours of the mean that texels are
-// moved to.
-void MatchEdges(ir::Texture& patterns, std::span<const double> shares, bool alpha_is_opacity);
+// Patterns that stand beside each other are a group; `groups` has for each layer the first layer of
+// its group. Without it, all are one. Changes every layer of a group near its borders, in levels of
+// 2x2 texels or more, so that a tiling of the group's patterns, sampled bilinearly with wrap
+// repeat, has no jump in value at any border (in levels of 4 texels a side and less: none that is
+// larger in the mean than the differences inside of the patterns in steps of half a texel or more),
+// and none in slope that is larger in the mean than those inside, as far as that can be had: the
+// outermost texels alone where that is enough, more where it is not. Numbers stay within 0 to 1.
+// Level 0 stays as it is if its outermost texels are equal in all layers of a group. Where alpha is
+// opacity, it weighs the colours of the mean that texels are moved to. Layers alone in their group
+// stay as they are.
+void MatchEdges(ir::Texture& patterns, std::span<const double> shares, bool alpha_is_opacity,
+                std::span<const uint32_t> groups = {});
 
 // Gives all layers of the 1x1 level the mean of all patterns, and lets the level before it go there
 // part of the way. Level 0 stays as it is.

@@ -25,7 +25,9 @@ TextureData Build(std::span<const Image> layers, const TextureOptions& options) 
   if (options.mipmaps && options.max_level != 0u) BuildLevels(chain, options.alpha_is_opacity);
   if (options.is_array && (options.match_edges || !options.weights.empty())) {
     const std::vector<double> shares = LayerShares(options.weights, layers.size());
-    if (options.match_edges) MatchEdges(chain, shares, options.alpha_is_opacity);
+    if (options.match_edges) {
+      MatchEdges(chain, shares, options.alpha_is_opacity, options.edge_groups);
+    }
     if (!options.weights.empty()) MixCoarsestLevels(chain, shares, options.alpha_is_opacity);
   }
   if (options.max_level && chain.levels.size() > size_t{*options.max_level} + 1) {

@@ -44,6 +44,8 @@ struct TextureOptions {
   bool as_float = false;  // kRgba32F, with no rounding at all; for comparing filters
   // For arrays whose layers are patterns that stand beside each other: pattern_levels.h.
   bool match_edges = false;
+  // Of the edges that match: as MatchEdges has it. None: all patterns are one group.
+  std::vector<uint32_t> edge_groups;
   // How often each layer is drawn; none: the levels are those of each layer alone. As many as
   // layers, none negative, the sum above 0; only their ratios count.
   std::vector<double> weights;

@@ -21,12 +21,18 @@ namespace {
 constexpr double kCells = 64;  // a side, in all of the graphs
 
 std::string FolderOf(const std::string& name) {
-  return std::string(TEXGRAPH_SOURCE_DIR) + "/graphs/" + name + "/";
+  return TEXGRAPH_SOURCE_DIR "/graphs/" + name + "/";
 }
 
 std::string TextOf(const std::string& name) {
   std::ifstream file(FolderOf(name) + name + ".jsonc");
   return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::string Replaced(std::string text, const std::string& from, const std::string& to) {
+  const size_t at = text.find(from);
+  EXPECT_NE(at, text.npos) << from;
+  return at == text.npos ? text : text.replace(at, from.size(), to);
 }
 
 class TilingTest : public testing::TestWithParam<const char*> {};
@@ -105,10 +111,62 @@ TEST(TilingBorders, DoNotShow) {
   }
 }
 
-std::string Replaced(std::string text, const std::string& from, const std::string& to) {
-  const size_t at = text.find(from);
-  EXPECT_NE(at, text.npos) << from;
-  return at == text.npos ? text : text.replace(at, from.size(), to);
+// The graph with one material everywhere, so that no border lies between two.
+std::string OfOneMaterial(std::string text, int material) {
+  const std::string begin = R"("map": )", end = "]]";
+  const size_t at = text.find(begin), to = text.find(end, at);
+  EXPECT_NE(to, text.npos);
+  return text.replace(at, to + end.size() - at, begin + "[[" + std::to_string(material) + "]]");
+}
+
+// How much brighter pixels that touch a border of a cell are than the others, as a part of these.
+double BrightnessOfBorders(const std::string& text, const std::string& folder, int pixels) {
+  const double step = 1 / (kCells * pixels);
+  const int side = 8 * pixels;
+  std::vector<Point> points;
+  for (int i = 0; i < side * side; ++i) {
+    points.push_back({(i % side + 0.5) * step, (i / side + 0.5) * step});
+  }
+  const std::vector<double> colors = ColorsAt(text, points, step, folder);
+  auto touches = [&](double along) {
+    const double in_cell = kCells * along - std::floor(kCells * along);
+    return std::min(in_cell, 1 - in_cell) * pixels < 1;
+  };
+  std::array<double, 2> sums{}, counts{};
+  for (size_t i = 0; i < points.size(); ++i) {
+    const bool is_border = touches(points[i].x) || touches(points[i].y);
+    const double* color = &colors[3 * i];
+    sums[is_border] += 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2];
+    ++counts[is_border];
+  }
+  return sums[1] / counts[1] / (sums[0] / counts[0]) - 1;
+}
+
+// Borders within a material are as bright as the patterns have them, with no tint of the other
+// materials, and jump no more than they do without matching, or than is promised.
+TEST(TilingBorders, OfAMaterialAreNotTintedByOthers) {
+  const std::string folder = FolderOf("areas_tiling");
+  for (int material = 0; material < 4; ++material) {
+    const std::string matched = OfOneMaterial(TextOf("areas_tiling"), material);
+    const std::string given = Replaced(matched, R"(, "edges": "kinds")", "");
+    for (int pixels : {10, 14, 20}) {
+      const std::string where =
+          "material " + std::to_string(material) + ", pixels " + std::to_string(pixels);
+      EXPECT_NEAR(BrightnessOfBorders(matched, folder, pixels),
+                  BrightnessOfBorders(given, folder, pixels), 0.01)
+          << where;
+      for (bool upright : {false, true}) {
+        const Jumps after = JumpsAt(matched, folder, pixels, upright);
+        const Jumps before = JumpsAt(given, folder, pixels, upright);
+        EXPECT_LE(after.value_across / after.value_inside,
+                  std::max(1.1, before.value_across / before.value_inside))
+            << where << (upright ? ", upwards" : ", to the right");
+        EXPECT_LE(after.slope_across / after.slope_inside,
+                  std::max(1.1, before.slope_across / before.slope_inside))
+            << where << (upright ? ", upwards" : ", to the right");
+      }
+    }
+  }
 }
 
 // What is known when the shader is made changes its code, not its picture.

@@ -76,6 +76,25 @@ TEST(ReadTextures, ReadsPatterns) {
   EXPECT_EQ(tree.wrap_w, TextureWrap::kClamp);
 }
 
+// Two lists that share a pattern are one group; a pattern that is in no list is its own.
+TEST(ReadTextures, EdgesMatchWithinLists) {
+  const auto groups = [](const std::string& lists) {
+    const ReadGraphText read = ReadSection(
+        R"({ "g": { "sheet": "s.png", "grid": [4, 2], "edges": "l" }, "l": { "of": "g", "lists": )" +
+        lists + " } }");
+    EXPECT_TRUE(read.graph) << read.Messages();
+    EXPECT_TRUE(read.graph && read.graph->textures[0].match_edges);
+    return read.graph ? read.graph->textures[0].edge_groups : std::vector<uint32_t>{};
+  };
+  EXPECT_THAT(groups("[[6, 1], [7, 3], [5, 7], [-1, 2]]"),
+              ElementsAre(0u, 1u, 2u, 3u, 4u, 3u, 1u, 3u));
+  // Each pattern with the next one, in an order in which every step joins two groups.
+  EXPECT_THAT(groups("[[7, 6], [1, 0], [5, 4], [3, 2], [6, 5], [4, 3]]"),
+              ElementsAre(0u, 0u, 2u, 2u, 2u, 2u, 2u, 2u));
+  EXPECT_THAT(groups("[[-1]]"), ElementsAre(0u, 1u, 2u, 3u, 4u, 5u, 6u, 7u));
+  EXPECT_THAT(groups("[[0, 1, 2, 3], [3, 4, 5, 6], [6, 7]]"), IsEmpty());  // as "match"
+}
+
 TEST(ReadTextures, ReadsMaps) {
   const ReadGraphText read = ReadSection(kAll);
   ASSERT_TRUE(read.graph) << read.Messages();
@@ -145,11 +164,14 @@ TEST(ReadTextures, EqualMapsShareASampler) {
       "a": { "map": [[1, 2]] }, "b": { "map": [[1, 2]] }, "c": { "map": [[1], [2]] },
       "d": { "map": [[1, 2]], "binding": "constant" }, "e": { "lists": [[1, 2]] },
       "g": { "layers": ["a.png"] }, "h": { "layers": ["a.png"], "weights": [1] },
-      "i": { "layers": ["a.png"], "pack": "volume" } })");
+      "i": { "layers": ["a.png"], "pack": "volume" },
+      "j": { "layers": ["a.png", "b.png"], "edges": "match" },
+      "k": { "layers": ["a.png", "b.png"], "edges": "m" }, "m": { "lists": [[0, 1]], "of": "k" },
+      "n": { "layers": ["a.png", "b.png"], "edges": "o" }, "o": { "lists": [[0], [1]], "of": "n" } })");
   ASSERT_TRUE(read.graph) << read.Messages();
   std::vector<uint32_t> first;
-  for (uint32_t i = 0; i < 8; ++i) first.push_back(FirstEqualTexture(*read.graph, i));
-  EXPECT_THAT(first, ElementsAre(0u, 0u, 2u, 3u, 4u, 5u, 6u, 7u));
+  for (uint32_t i = 0; i < 13; ++i) first.push_back(FirstEqualTexture(*read.graph, i));
+  EXPECT_THAT(first, ElementsAre(0u, 0u, 2u, 3u, 4u, 5u, 6u, 7u, 8u, 8u, 10u, 11u, 12u));
 }
 
 struct Mistake {
@@ -207,6 +229,13 @@ constexpr Mistake kMistakes[] = {
     {R"({ "g": { "layers": ["a.png"], "weights": "l" }, "l": { "lists": [[0]] } })",
      "1:71 bad-value (1:78)", "not of the patterns"},
     {R"({ "g": { "layers": ["a.png"], "weights": "g" } })", "1:71 bad-value (1:32)", "names lists"},
+    {R"({ "g": { "layers": ["a.png"], "edges": "macth" } })", "1:69 unknown-reference",
+     "neither 'match' nor the name of a texture"},
+    {R"({ "g": { "layers": ["a.png"], "edges": true } })", "1:69 graph-shape", "'edges'"},
+    {R"({ "g": { "layers": ["a.png"], "edges": "g" } })", "1:69 bad-value (1:32)",
+     "'edges' of texture 'g' names lists, but 'g' is an array of layers"},
+    {R"({ "g": { "layers": ["a.png"], "edges": "l" }, "l": { "lists": [[0]] } })",
+     "1:69 bad-value (1:76)", "not of the patterns"},
     {R"({ "g": { "layers": ["a.png"], "weights": [1], "mipmaps": false } })", "1:87 bad-value",
      "mip levels"},
     {R"({ "g": { "layers": ["a.png"], "pack": "volume", "edges": "match" } })",

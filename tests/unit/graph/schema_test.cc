@@ -106,6 +106,7 @@ const std::vector<std::string> kGood = {
     With(R"("textures": {"t": {"layers": ["a"], "mask": [{"file": "m", "channel": "blue"}]}})"),
     With(R"("textures": {"t": {"file": "a", "key": {"color": [0, 1, 0.5], "edge": 64}}})"),
     With(R"("textures": {"t": {"layers": ["a", "b"], "edges": "match", "weights": [1, 0.5]}})"),
+    With(R"("textures": {"t": {"layers": ["a"], "edges": "l"}, "l": {"lists": [[0]], "of": "t"}})"),
     With(R"("textures": {"t": {"sheet": "a", "grid": [4, 2], "pack": "atlas", "wrap": "clamp"}})"),
     With(R"("textures": {"t": {"layers": ["a"], "pack": "volume", "mipmaps": false}})"),
     With(R"("textures": {"t": {"map": [[0, -1], [2, 3]], "binding": "constant"}})"),

@@ -248,6 +248,90 @@ TEST(MatchEdgesTest, SharesAndOpacityWeighTheMean) {
   EXPECT_NEAR(texture.levels[0].texels[0][0], 0.25, 1e-6);
 }
 
+constexpr uint32_t kGroups[] = {0, 1, 1, 0, 4, 0};  // layer 4 is in none
+const double kGroupWeights[] = {1, 2, 1, 3, 9, 2};
+
+// A group is what it would be as an array of its own, whatever the others are.
+TEST(MatchEdgesTest, GroupsAreMatchedEachForItself) {
+  for (PatternKind kind : {PatternKind::kMatching, PatternKind::kSmooth, PatternKind::kWhite}) {
+    const ir::Texture given = PatternMaker(kind, 32, 6, 5).Make();
+    ir::Texture matched = given;
+    MatchEdges(matched, LayerShares(kGroupWeights, 6), true, kGroups);
+    for (const std::vector<uint32_t>& group :
+         {std::vector<uint32_t>{0, 3, 5}, std::vector<uint32_t>{1, 2}}) {
+      ir::Texture alone = given;
+      std::vector<double> weights;
+      for (uint32_t layer : group) weights.push_back(kGroupWeights[layer]);
+      for (size_t l = 0; l < given.levels.size(); ++l) {
+        const size_t plane = size_t{given.levels[l].width} * given.levels[l].height;
+        alone.levels[l].depth = static_cast<uint32_t>(group.size());
+        alone.levels[l].texels.clear();
+        for (uint32_t layer : group) {
+          const auto first = given.levels[l].texels.begin() + static_cast<long>(layer * plane);
+          alone.levels[l].texels.insert(alone.levels[l].texels.end(), first,
+                                        first + static_cast<long>(plane));
+        }
+      }
+      MatchEdges(alone, LayerShares(weights, group.size()), true);
+      for (size_t l = 0; l < given.levels.size(); ++l) {
+        const size_t plane = size_t{given.levels[l].width} * given.levels[l].height;
+        for (size_t i = 0; i < group.size() * plane; ++i) {
+          ASSERT_EQ(matched.levels[l].texels[group[i / plane] * plane + i % plane],
+                    alone.levels[l].texels[i]);
+        }
+      }
+    }
+    for (size_t l = 0; l < given.levels.size(); ++l) {
+      const size_t plane = size_t{given.levels[l].width} * given.levels[l].height;
+      for (size_t i = 4 * plane; i < 5 * plane; ++i)
+        ASSERT_EQ(matched.levels[l].texels[i], given.levels[l].texels[i]);
+    }
+  }
+}
+
+// The borders of a group have its own mean and nothing of the others, through MakeTexture as well.
+TEST(MatchEdgesTest, NoColorLeaksIntoAnotherGroup) {
+  const std::array<uint8_t, 3> colors[] = {{200, 0, 0}, {0, 0, 90}, {0, 0, 30},
+                                           {100, 0, 0}, {0, 77, 0}, {40, 0, 0}};
+  std::vector<Image> layers;
+  for (const auto& color : colors) {
+    Image& image = layers.emplace_back();
+    image.width = image.height = 8;
+    image.channels = 3;
+    image.bits = 8;
+    for (int i = 0; i < 64; ++i)
+      image.pixels.insert(image.pixels.end(), color.begin(), color.end());
+  }
+  TextureOptions options;
+  options.is_array = options.match_edges = true;
+  options.srgb = options.mipmaps = false;
+  options.edge_groups.assign(std::begin(kGroups), std::end(kGroups));
+  Diagnostics diagnostics;
+  const ir::Texture matched = ToTexture(*MakeTexture(layers, options, "t", {}, diagnostics));
+  const float red = (200 + 100 + 40) / 3.0f / 255, blue = 60 / 255.0f, green = 77 / 255.0f;
+  for (size_t layer = 0; layer < 6; ++layer) {
+    const ir::Texel& corner = matched.levels[0].texels[layer * 64];
+    EXPECT_NEAR(corner[0], kGroups[layer] == 0 ? red : 0, 0.5001 / 255) << layer;
+    EXPECT_NEAR(corner[2], kGroups[layer] == 1 ? blue : 0, 0.5001 / 255) << layer;
+    EXPECT_NEAR(corner[1], kGroups[layer] == 4 ? green : 0, 1e-6) << layer;
+  }
+}
+
+// Level 0 of a group that fits there is left as it is, though the other group does not.
+TEST(MatchEdgesTest, WhatFitsInAGroupIsLeftAsItIs) {
+  const ir::Texture fits = PatternMaker(PatternKind::kMatching, 32, 2, 3).Make();
+  ir::Texture both = PatternMaker(PatternKind::kWhite, 32, 4, 3).Make();
+  std::ranges::copy(fits.levels[0].texels, both.levels[0].texels.begin() + 1024);
+  const ir::Texture given = both;
+  MatchEdges(both, LayerShares({}, 4), true, std::array<uint32_t, 4>{0, 1, 1, 0});
+  const auto layer = [](const ir::Texture& texture, size_t index) {
+    return std::span(texture.levels[0].texels).subspan(1024 * index, 1024);
+  };
+  EXPECT_TRUE(std::ranges::equal(layer(both, 1), layer(given, 1)));
+  EXPECT_TRUE(std::ranges::equal(layer(both, 2), layer(given, 2)));
+  EXPECT_FALSE(std::ranges::equal(layer(both, 0), layer(given, 0)));
+}
+
 // As pictures go: through MakeTexture, with the rounding of the format.
 TEST(MatchEdgesTest, PicturesMatchWithinAStep) {
   std::vector<Image> layers;
