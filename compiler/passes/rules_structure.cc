@@ -177,6 +177,28 @@ ValueId IndexOfSplat(Builder& builder, Op op, TypeId type, Operands operands) {
   return builder.function().Operands(inst)[0];
 }
 
+// An array of whole numbers that count up by one, from 0 say, is a sum; one that holds a single
+// number is that number.
+ValueId IndexOfRow(Builder& builder, Op op, TypeId type, Operands operands) {
+  if (op != Op::kIndex || !builder.IsConst(operands[0]) || (type != ir::kInt && type != ir::kUint))
+    return ValueId();
+  const std::span<const uint32_t> words = builder.ConstWords(operands[0]);
+  const size_t count = words.size();
+  const uint32_t first = words.front(), step = count > 1 ? words[1] - first : 0;
+  if (step > 1) return ValueId();
+  for (uint32_t i = 0; i < count; ++i) {
+    if (words[i] != first + i * step) return ValueId();
+  }
+  const ValueId first_number = builder.Const(type, std::array{first});
+  if (step == 0) return first_number;
+  const TypeId counted = builder.TypeOf(operands[1]);
+  const ValueId last = builder.Splat(counted, double(count - 1));
+  const ValueId index =
+      builder.Emit(Op::kClamp, counted, {operands[1], builder.Splat(counted, 0), last});
+  const ValueId number = counted == type ? index : builder.Convert(index, type);
+  return builder.Op2(Op::kAdd, number, first_number);
+}
+
 // Beyond so many repeats of a texture in a unit of the coordinate, samplers that count in fixed
 // point may run out of bits.
 constexpr float kMostRepeats = 1024;
@@ -237,6 +259,7 @@ constexpr CodeRule kStructureRules[] = {
     {"matmul_by_identity", kFinite | kUnsignedZero, MatMulByIdentity},
     {"index_by_constant", kExact, IndexByConstant},
     {"index_of_splat", kExact, IndexOfSplat},
+    {"index_of_row", kExact, IndexOfRow},
     {"repeated_coordinate", kFinite | kRounding, RepeatedCoordinate},
 };
 

@@ -30,6 +30,7 @@ void transition_tiles(const int families[], const int transitions[], out int mat
   int right = family_of(material(ivec2(1, 0)), families);
   int up = family_of(material(ivec2(0, 1)), families);
   int both = family_of(material(ivec2(1, 1)), families);
-  bool plain = here == right && here == up && here == both;
-  transition = plain ? -1 : transitions[here + m * (right + m * (up + m * both))];
+  int number = here + m * (right + m * (up + m * both));
+  bool plain = number == here * (1 + m * (1 + m * (1 + m)));
+  transition = plain ? -1 : transitions[number];
 }

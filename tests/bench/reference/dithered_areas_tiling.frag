@@ -10,8 +10,6 @@ layout(location = 2, binding = 2) uniform sampler2D far;
 
 layout(location = 0) out vec4 out_color;
 
-const int kinds[16] = int[16](0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
-
 // Random bits of a cell, the upper ones are the good ones: pcg2d's y, its linear steps taken together.
 uint cell_bits(ivec2 cell) {
   uvec2 c = uvec2(cell);
@@ -51,7 +49,7 @@ void main() {
   ivec2 cell = ivec2(floor(p));
   uint seed = cell_bits(cell);
   int kind = dithered_area(cell, seed);
-  int pattern = kinds[4 * clamp(kind, 0, 3) + int(seed >> 30u)];
+  int pattern = 4 * clamp(kind, 0, 3) + int(seed >> 30u);
   if (kind < 0) pattern = -1;
   vec4 mean = texture(far, uv);
   vec4 close = texture(grounds, vec3(p, float(pattern)));

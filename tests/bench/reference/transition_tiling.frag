@@ -10,8 +10,6 @@ layout(location = 2, binding = 2) uniform sampler2D far;
 
 layout(location = 0) out vec4 out_color;
 
-const int kinds[16] = int[16](0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
-
 // Random bits of a cell, the upper ones are the good ones: pcg2d's y, its linear steps taken together.
 uint cell_bits(ivec2 cell) {
   uvec2 c = uvec2(cell);
@@ -58,7 +56,7 @@ void main() {
   int here = clamp(kind, 0, 1);
   int shore = here + 2 * family(cell + ivec2(1, 0)) + 4 * family(cell + ivec2(0, 1)) +
               8 * family(cell + ivec2(1, 1));
-  int pattern = kinds[8 * here + int(seed >> 29u)];
+  int pattern = 8 * here + int(seed >> 29u);
   if (kind < 0) pattern = -1;
   if (shore != 0 && shore != 15) pattern = 15 + shore;
   vec4 mean = texture(far, uv);

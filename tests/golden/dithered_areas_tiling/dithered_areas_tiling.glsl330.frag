@@ -12,9 +12,6 @@ uniform sampler2D far;
 // Outputs
 layout(location = 0) out vec4 out_color;
 
-// Constants
-const int kinds[16] = int[16](0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
-
 // cell_hash (indirection/cell_hash.glsl)
 uint cell_hash(ivec2 cell) {
   uvec2 c = uvec2(cell);
@@ -47,7 +44,7 @@ ivec2 dithered_area(ivec2 cell, uint seed) {
 int drawn(int material, uint seed) {
   int place = int(seed >> 30u);
   int row = clamp(material, 0, 3);
-  int pattern = kinds[row * 4 + place];
+  int pattern = row * 4 + place;
   return material < 0 ? -1 : pattern;
 }
 

@@ -7,10 +7,6 @@ uniform sampler2DArray grounds;
 uniform sampler2D areas;
 uniform sampler2D far;
 
-// Constants
-const int dithered_areas_tiling_kinds[16] = int[16](0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13,
-    14, 15);
-
 // cell_hash (indirection/cell_hash.glsl)
 uint dithered_areas_tiling_cell_hash(ivec2 cell) {
   uvec2 c = uvec2(cell);
@@ -43,7 +39,7 @@ ivec2 dithered_areas_tiling_dithered_area(ivec2 cell, uint seed) {
 int dithered_areas_tiling_drawn(int material, uint seed) {
   int place = int(seed >> 30u);
   int row = clamp(material, 0, 3);
-  int pattern = dithered_areas_tiling_kinds[row * 4 + place];
+  int pattern = row * 4 + place;
   return material < 0 ? -1 : pattern;
 }
 

@@ -13,9 +13,7 @@ uniform sampler2D far;
 layout(location = 0) out vec4 out_color;
 
 // Constants
-const int families[2] = int[2](0, 1);
 const int transitions[16] = int[16](-1, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, -1);
-const int kinds[16] = int[16](0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
 
 // cell_hash (indirection/cell_hash.glsl)
 uint cell_hash(ivec2 cell) {
@@ -77,16 +75,13 @@ int kind_at_shore3(vec2 uv) {
 
 // transition_tiles (indirection/transition_tiles.glsl)
 int transition_tiles(vec2 uv, int material) {
-  int here = families[clamp(material, 0, 1)];
-  int right = families[clamp(kind_at_shore(uv), 0, 1)];
-  int up = families[clamp(kind_at_shore2(uv), 0, 1)];
-  int both = families[clamp(kind_at_shore3(uv), 0, 1)];
-  bool plain = here == right && here == up && here == both;
-  int transition = -1;
-  if (!plain) {
-    int sum = here + 2 * (right + 2 * (up + 2 * both));
-    transition = transitions[clamp(sum, 0, 15)];
-  }
+  int here = clamp(material, 0, 1);
+  int right = clamp(kind_at_shore(uv), 0, 1);
+  int up = clamp(kind_at_shore2(uv), 0, 1);
+  int both = clamp(kind_at_shore3(uv), 0, 1);
+  int number = here + 2 * (right + 2 * (up + 2 * both));
+  bool plain = number == here * 15;
+  int transition = plain ? -1 : transitions[number];
   return transition;
 }
 
@@ -94,7 +89,7 @@ int transition_tiles(vec2 uv, int material) {
 int drawn(int material, uint seed) {
   int place = int(seed >> 29u);
   int row = clamp(material, 0, 1);
-  int pattern = kinds[row * 8 + place];
+  int pattern = row * 8 + place;
   return material < 0 ? -1 : pattern;
 }
 

@@ -8,11 +8,8 @@ uniform sampler2D areas;
 uniform sampler2D far;
 
 // Constants
-const int transition_tiling_families[2] = int[2](0, 1);
 const int transition_tiling_transitions[16] = int[16](-1, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25,
     26, 27, 28, 29, -1);
-const int transition_tiling_kinds[16] = int[16](0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14,
-    15);
 
 // cell_hash (indirection/cell_hash.glsl)
 uint transition_tiling_cell_hash(ivec2 cell) {
@@ -77,16 +74,13 @@ int transition_tiling_kind_at_shore3(vec2 uv) {
 
 // transition_tiles (indirection/transition_tiles.glsl)
 int transition_tiling_transition_tiles(vec2 uv, int material) {
-  int here = transition_tiling_families[clamp(material, 0, 1)];
-  int right = transition_tiling_families[clamp(transition_tiling_kind_at_shore(uv), 0, 1)];
-  int up = transition_tiling_families[clamp(transition_tiling_kind_at_shore2(uv), 0, 1)];
-  int both = transition_tiling_families[clamp(transition_tiling_kind_at_shore3(uv), 0, 1)];
-  bool plain = here == right && here == up && here == both;
-  int transition = -1;
-  if (!plain) {
-    int sum = here + 2 * (right + 2 * (up + 2 * both));
-    transition = transition_tiling_transitions[clamp(sum, 0, 15)];
-  }
+  int here = clamp(material, 0, 1);
+  int right = clamp(transition_tiling_kind_at_shore(uv), 0, 1);
+  int up = clamp(transition_tiling_kind_at_shore2(uv), 0, 1);
+  int both = clamp(transition_tiling_kind_at_shore3(uv), 0, 1);
+  int number = here + 2 * (right + 2 * (up + 2 * both));
+  bool plain = number == here * 15;
+  int transition = plain ? -1 : transition_tiling_transitions[number];
   return transition;
 }
 
@@ -94,7 +88,7 @@ int transition_tiling_transition_tiles(vec2 uv, int material) {
 int transition_tiling_drawn(int material, uint seed) {
   int place = int(seed >> 29u);
   int row = clamp(material, 0, 1);
-  int pattern = transition_tiling_kinds[row * 8 + place];
+  int pattern = row * 8 + place;
   return material < 0 ? -1 : pattern;
 }
 

@@ -118,6 +118,23 @@ TEST_F(StructureRulesTest, AxesIdentitiesAndIndices) {
   EXPECT_EQ(Text(Op2(Op::kDiv, i_, builder_.Int(8))), "(div i 8)");
 }
 
+TEST_F(StructureRulesTest, ArraysThatCountAreSums) {
+  auto index = [&](TypeId element, std::vector<uint32_t> words, ValueId at) {
+    const TypeId array = module_.types.Array(element, static_cast<uint32_t>(words.size()));
+    return Text(builder_.Emit(Op::kIndex, element, {builder_.Const(array, words), at}));
+  };
+  EXPECT_EQ(index(ir::kInt, {0, 1, 2, 3}, i_), "(clamp i 0 3)");
+  EXPECT_EQ(index(ir::kInt, {0, 1, 2, 3}, Op2(Op::kAnd, i_, builder_.Int(3))), "(and i 3)");
+  EXPECT_EQ(index(ir::kInt, {0, 1, 2, 3}, Op2(Op::kAnd, i_, builder_.Int(1))), "(and i 1)");
+  EXPECT_EQ(index(ir::kInt, {~0u, 0, 1}, i_), "(sub (clamp i 0 2) 1)");
+  EXPECT_EQ(index(ir::kInt, {7, 7, 7}, i_), "7");
+  EXPECT_EQ(index(ir::kInt, {7}, i_), "7");
+  EXPECT_EQ(index(ir::kUint, {0, 1, 2}, u_), "(min u 2)");
+  EXPECT_EQ(index(ir::kInt, {0, 1, 2, 4}, i_), "(index 0,1,2,4 i)");
+  EXPECT_EQ(index(ir::kInt, {0, 2, 4}, i_), "(index 0,2,4 i)");
+  EXPECT_EQ(index(ir::kInt, {1, 0}, i_), "(index 1,0 i)");
+}
+
 TEST_F(StructureRulesTest, FlooredRemaindersOfPowersOfTwoAreMasks) {
   auto wrapped = [&](ValueId v, int count) {
     ValueId flip = Op2(Op::kShr, v, builder_.Int(31));
