@@ -13,18 +13,30 @@ set(TEXGRAPH_STDLIB_BLOCKS
   channels/to_float.glsl
   channels/to_int.glsl
   channels/xy.glsl
+  color/brightness_contrast.glsl
   color/color_key.glsl
   color/color_ramp.glsl
   color/hsv_adjust.glsl
   color/hsv_to_rgb.glsl
+  color/levels.glsl
   color/premultiply.glsl
   color/rgb_to_hsv.glsl
+  color/saturate.glsl
   color/unpremultiply.glsl
   constants/color_constant.glsl
   constants/float_constant.glsl
   constants/int_constant.glsl
   constants/vec2_constant.glsl
   constants/vec3_constant.glsl
+  coordinates/from_polar.glsl
+  coordinates/kaleidoscope.glsl
+  coordinates/mirror.glsl
+  coordinates/polar.glsl
+  coordinates/position_transform.glsl
+  coordinates/repeat.glsl
+  coordinates/rotate2d.glsl
+  coordinates/rotate3d.glsl
+  coordinates/swirl.glsl
   images/image.glsl
   images/tiled_image.glsl
   images/uv_transform.glsl
@@ -84,18 +96,29 @@ set(TEXGRAPH_STDLIB_BLOCKS
   math/negate.glsl
   math/normalized.glsl
   math/power.glsl
+  math/quantize.glsl
   math/remap.glsl
   math/round_down.glsl
   math/round_up.glsl
+  math/sawtooth_wave.glsl
   math/select.glsl
   math/sine.glsl
+  math/sine_wave.glsl
   math/smooth_step.glsl
+  math/spread_range.glsl
   math/square_root.glsl
+  math/square_wave.glsl
   math/subtract.glsl
   math/threshold.glsl
+  math/triangle_wave.glsl
   patterns/checker.glsl
   patterns/circle.glsl
+  patterns/gradient_angular.glsl
+  patterns/gradient_box.glsl
+  patterns/gradient_linear.glsl
+  patterns/gradient_radial.glsl
   patterns/ramp.glsl
+  patterns/ramp4.glsl
   patterns/rectangle.glsl
   patterns/value_noise.glsl
   random/hash.glsl

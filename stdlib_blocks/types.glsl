@@ -28,6 +28,11 @@ const int FLIP_X = 1;
 const int FLIP_Y = 2;
 const int FLIP_BOTH = 3;
 
+// How a gradient goes on beyond its ends: it stays as it is, begins anew, or turns back.
+const int SPREAD_PAD = 0;
+const int SPREAD_REPEAT = 1;
+const int SPREAD_REFLECT = 2;
+
 /// One tile of a tiling, as seen from one point: what a block needs to draw something else in every
 /// tile.
 ///
