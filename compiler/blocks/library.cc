@@ -23,13 +23,6 @@ constexpr int kMaxFolderDepth = 16;
 constexpr size_t kMaxFolderFiles = 100'000;
 constexpr std::string_view kTypes = "types";
 
-// A file in a folder of the user's.
-struct UserFile {
-  std::string path;    // as it is opened
-  std::string inside;  // under the folder
-  std::string second;  // another one of this name in the same folder
-};
-
 const EmbeddedFile* FindEmbedded(std::string_view name) {
   const std::vector<EmbeddedFile>& files = EmbeddedFiles();
   auto found = std::ranges::lower_bound(files, name, {}, &EmbeddedFile::name);
@@ -39,6 +32,13 @@ const EmbeddedFile* FindEmbedded(std::string_view name) {
 }  // namespace
 
 struct Library::Impl : Program {
+  // A file in a folder of the user's.
+  struct UserFile {
+    std::string path;    // as it is opened
+    std::string inside;  // under the folder
+    std::string second;  // another one of this name in the same folder
+  };
+
   Impl(ir::Module& module, Sources& sources, Diagnostics& diagnostics,
        std::vector<std::string> folders, bool fold)
       : Program(module, sources, diagnostics), lowering(*this, fold) {

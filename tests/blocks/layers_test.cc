@@ -406,7 +406,9 @@ TEST(LayerTest, GoesToItsMeanFromFarAway) {
         double red = 0.25 * 0.6 + near * (plain[i].q.x * plain[i].alpha - 0.25 * 0.6);
         EXPECT_NEAR(seen[i].q.x * seen[i].alpha, red, 2e-3);
       }
-      if (!before.empty()) EXPECT_NEAR(seen[i].alpha, before[i].alpha, 0.06);
+      if (!before.empty()) {
+        EXPECT_NEAR(seen[i].alpha, before[i].alpha, 0.06);
+      }
     }
     before = seen;
   }

@@ -215,7 +215,9 @@ TEST(OverlapTest, TilesOfAllLengthsAreFound) {
     int covered = 0, lost = 0;
     for (size_t i = 0; i < points.size(); ++i) {
       ASSERT_EQ(own.Float(i, 3), most.Float(i, 3)) << grid;
-      if (own.Float(i, 3) > 0.5) ASSERT_NEAR(own.Float(i, 0), most.Float(i, 0), 1e-5) << grid;
+      if (own.Float(i, 3) > 0.5) {
+        ASSERT_NEAR(own.Float(i, 0), most.Float(i, 0), 1e-5) << grid;
+      }
       covered += own.Float(i, 3) > 0.5;
       lost += own.Float(i, 3) > cut.Float(i, 3) + 0.5;
     }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -94,12 +95,29 @@ Jumps JumpsAt(const std::string& text, const std::string& folder, int pixels, bo
   return {sums[0] / kPlaces, sums[1] / kPlaces, sums[2] / kPlaces, sums[3] / kPlaces};
 }
 
-TEST(TilingBorders, DoNotShow) {
-  const std::string text = TextOf("aperiodic_tiling"), folder = FolderOf("aperiodic_tiling");
+// The graph with one material everywhere, so that no border lies between two.
+std::string OfOneMaterial(std::string text, int material) {
+  const std::string begin = R"("map": )", end = "]]";
+  const size_t at = text.find(begin), to = text.find(end, at);
+  EXPECT_NE(to, text.npos);
+  return text.replace(at, to + end.size() - at, begin + "[[" + std::to_string(material) + "]]");
+}
+
+struct Surface {
+  std::string name, graph;
+  std::optional<int> material;  // the only one
+};
+
+class TilingBordersTest : public testing::TestWithParam<Surface> {};
+
+TEST_P(TilingBordersTest, DoNotShow) {
+  const Surface& surface = GetParam();
+  std::string text = TextOf(surface.graph);
+  if (surface.material) text = OfOneMaterial(text, *surface.material);
   // From four pixels a texel to four pixels a pattern: with two, none of three lie inside.
   for (int pixels : {512, 256, 128, 96, 64, 48, 32, 24, 16, 12, 8, 6, 4}) {
     for (bool upright : {false, true}) {
-      const Jumps jumps = JumpsAt(text, folder, pixels, upright);
+      const Jumps jumps = JumpsAt(text, FolderOf(surface.graph), pixels, upright);
       EXPECT_LE(jumps.value_across, 1.1 * jumps.value_inside)
           << pixels << " pixels a pattern, " << (upright ? "upwards" : "to the right");
       EXPECT_LE(jumps.slope_across, 1.1 * jumps.slope_inside)
@@ -111,13 +129,14 @@ TEST(TilingBorders, DoNotShow) {
   }
 }
 
-// The graph with one material everywhere, so that no border lies between two.
-std::string OfOneMaterial(std::string text, int material) {
-  const std::string begin = R"("map": )", end = "]]";
-  const size_t at = text.find(begin), to = text.find(end, at);
-  EXPECT_NE(to, text.npos);
-  return text.replace(at, to + end.size() - at, begin + "[[" + std::to_string(material) + "]]");
-}
+INSTANTIATE_TEST_SUITE_P(Grounds, TilingBordersTest,
+                         testing::Values(Surface{"Meadow", "aperiodic_tiling", {}},
+                                         Surface{"Weighted", "weighted_tiling", {}},
+                                         Surface{"Grass", "areas_tiling", 0},
+                                         Surface{"Flowers", "areas_tiling", 1},
+                                         Surface{"DryGrass", "areas_tiling", 2},
+                                         Surface{"Stones", "areas_tiling", 3}),
+                         [](const auto& surface) { return surface.param.name; });
 
 // How much brighter pixels that touch a border of a cell are than the others, as a part of these.
 double BrightnessOfBorders(const std::string& text, const std::string& folder, int pixels) {
@@ -143,7 +162,7 @@ double BrightnessOfBorders(const std::string& text, const std::string& folder, i
 }
 
 // Borders within a material are as bright as the patterns have them, with no tint of the other
-// materials, and jump no more than they do without matching, or than is promised.
+// materials.
 TEST(TilingBorders, OfAMaterialAreNotTintedByOthers) {
   const std::string folder = FolderOf("areas_tiling");
   for (int material = 0; material < 4; ++material) {
@@ -155,16 +174,6 @@ TEST(TilingBorders, OfAMaterialAreNotTintedByOthers) {
       EXPECT_NEAR(BrightnessOfBorders(matched, folder, pixels),
                   BrightnessOfBorders(given, folder, pixels), 0.01)
           << where;
-      for (bool upright : {false, true}) {
-        const Jumps after = JumpsAt(matched, folder, pixels, upright);
-        const Jumps before = JumpsAt(given, folder, pixels, upright);
-        EXPECT_LE(after.value_across / after.value_inside,
-                  std::max(1.1, before.value_across / before.value_inside))
-            << where << (upright ? ", upwards" : ", to the right");
-        EXPECT_LE(after.slope_across / after.slope_inside,
-                  std::max(1.1, before.slope_across / before.slope_inside))
-            << where << (upright ? ", upwards" : ", to the right");
-      }
     }
   }
 }

@@ -67,7 +67,9 @@ class Case : public testing::Test {
     program.time_limit = 20;
     Outcome outcome = program.Run();
     EXPECT_FALSE(outcome.timed_out);
-    if (outcome.exit_code != 0) EXPECT_TRUE(scratch.Names().empty());
+    if (outcome.exit_code != 0) {
+      EXPECT_TRUE(scratch.Names().empty());
+    }
     std::string seen =
         command + "\nexit " + std::to_string(outcome.exit_code) + "\n" + outcome.error;
     if (Updating()) {

@@ -175,8 +175,9 @@ TEST(GoldenFiles, BelongToGraphs) {
   std::set<std::string> graphs;
   for (const fs::path& graph : Graphs()) graphs.insert(graph.parent_path().filename());
   for (const auto& entry : fs::directory_iterator(kGolden)) {
-    if (entry.is_directory())
+    if (entry.is_directory()) {
       EXPECT_TRUE(graphs.contains(entry.path().filename())) << entry.path() << " is left over";
+    }
   }
   EXPECT_GE(graphs.size(), 5u);
 }

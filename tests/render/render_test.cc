@@ -328,9 +328,7 @@ const Refusal kRefusals[] = {
     {"Spirv", "not-renderable",
      [](RenderRequest& r) { r.manifest.dialect = ShaderDialect::kSpirv; }},
     {"NoImage", "not-renderable",
-     [](RenderRequest& r) {
-       r.manifest.textures.push_back({"brick", "brick", true, {}, {}, {}});
-     }},
+     [](RenderRequest& r) { r.manifest.textures.emplace_back().variable = "brick"; }},
 };
 
 INSTANTIATE_TEST_SUITE_P(All, RefusalTest, testing::ValuesIn(kRefusals),
