@@ -83,6 +83,7 @@ set(TEXGRAPH_STDLIB_BLOCKS
   math/clamp_range.glsl
   math/compare.glsl
   math/cosine.glsl
+  math/curve.glsl
   math/divide.glsl
   math/dot_product.glsl
   math/fraction.glsl
@@ -128,9 +129,11 @@ set(TEXGRAPH_STDLIB_BLOCKS
   shapes/sdf_arc.glsl
   shapes/sdf_circle.glsl
   shapes/sdf_difference.glsl
+  shapes/sdf_ellipse.glsl
   shapes/sdf_fill.glsl
   shapes/sdf_intersection.glsl
   shapes/sdf_line.glsl
+  shapes/sdf_moon.glsl
   shapes/sdf_outline.glsl
   shapes/sdf_path.glsl
   shapes/sdf_polygon.glsl
@@ -140,6 +143,8 @@ set(TEXGRAPH_STDLIB_BLOCKS
   shapes/sdf_ring.glsl
   shapes/sdf_round.glsl
   shapes/sdf_rounded_rectangle.glsl
+  shapes/sdf_smooth_difference.glsl
+  shapes/sdf_smooth_intersection.glsl
   shapes/sdf_smooth_union.glsl
   shapes/sdf_star.glsl
   shapes/sdf_stroke.glsl

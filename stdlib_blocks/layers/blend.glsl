@@ -19,6 +19,12 @@ const int MODE_HUE = 16;
 const int MODE_SATURATION = 17;
 const int MODE_COLOR = 18;
 const int MODE_LUMINOSITY = 19;
+const int MODE_LINEAR_LIGHT = 20;
+const int MODE_VIVID_LIGHT = 21;
+const int MODE_PIN_LIGHT = 22;
+const int MODE_HARD_MIX = 23;
+const int MODE_DARKER_COLOR = 24;
+const int MODE_LIGHTER_COLOR = 25;
 
 vec3 hard_light(vec3 front, vec3 back) {
   return mix(2.0 * back * front, 1.0 - 2.0 * (1.0 - back) * (1.0 - front), step(0.5, front));
@@ -81,6 +87,24 @@ vec3 quotient_color(vec3 front, vec3 back, const int mode) {
   return min(back / max(front, 1e-20), max(back, 1.0));
 }
 
+// The modes that darken where the foreground is below 0.5 and lighten where it is above, each by
+// another mode with twice the foreground.
+vec3 light_color(vec3 front, vec3 back, const int mode) {
+  vec3 upper = 2.0 * front - 1.0;
+  if (mode == MODE_LINEAR_LIGHT) {
+    return clamp(back + upper, vec3(0.0), max(back, 1.0));
+  }
+  if (mode == MODE_HARD_MIX) {
+    vec3 sum = front + back;
+    return clamp((sum - 1.0) / max(footprint(sum), 1e-7) + 0.5, 0.0, 1.0);
+  }
+  vec3 darker = mode == MODE_PIN_LIGHT ? min(back, 2.0 * front)
+                                       : quotient_color(2.0 * front, back, MODE_COLOR_BURN);
+  vec3 lighter =
+      mode == MODE_PIN_LIGHT ? max(back, upper) : quotient_color(upper, back, MODE_COLOR_DODGE);
+  return mix(darker, lighter, step(0.5, front));
+}
+
 vec3 mode_color(vec3 front, vec3 back, const int mode) {
   if (mode == MODE_ADD) {
     return back + front;
@@ -117,6 +141,15 @@ vec3 mode_color(vec3 front, vec3 back, const int mode) {
   }
   if (mode == MODE_DIFFERENCE) {
     return abs(back - front);
+  }
+  if (mode == MODE_DARKER_COLOR) {
+    return mix(front, back, step(luminosity(back), luminosity(front)));
+  }
+  if (mode == MODE_LIGHTER_COLOR) {
+    return mix(front, back, step(luminosity(front), luminosity(back)));
+  }
+  if (mode >= MODE_LINEAR_LIGHT) {
+    return light_color(front, back, mode);
   }
   if (mode >= MODE_HUE) {
     return hue_color(front, back, mode);
@@ -164,7 +197,11 @@ vec3 premultiplied_color(vec4 front, vec4 back, const int mode) {
 ///   raise the background's light or its darkness by a quotient, and linear burn is the sum less
 ///   1; divide is the background over the foreground, white where that is larger; hue, saturation,
 ///   color (which is both) and luminosity take this from the foreground, the rest from the
-///   background, with the standard's luminosity of 0.3, 0.59 and 0.11 @default MODE_MIX
+///   background, with the standard's luminosity of 0.3, 0.59 and 0.11; linear light adds twice the
+///   foreground less 1, and ends at black and at white; vivid light is color burn or color dodge,
+///   and pin light darken or lighten, each with twice the foreground; hard mix is 1 in each
+///   component where the sum reaches 1, else 0, antialiased; darker color and lighter color are
+///   the one of both with the smaller or the greater luminosity @default MODE_MIX
 /// @param opacity of the foreground @default 1 @range 0 1
 /// @param mask where the foreground is shown: another factor of its opacity @default 1 @range 0 1
 /// @param alpha of both colours and of the result: straight, as everywhere in the library, or

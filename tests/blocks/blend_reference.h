@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The blend modes in double precision, for colours from 0 to 1. Section numbers are those of W3C
-// Compositing and Blending Level 1, whose pseudo code this follows line by line; the five modes
-// that it has not (add, subtract, linear burn, divide, and mix, its "normal") are what their names
-// say, with the quotient limited to white.
+// Compositing and Blending Level 1, whose pseudo code this follows line by line; the modes
+// that it has not (mix is its "normal") are what their names say, with the quotient limited to
+// white.
 #pragma once
 
 #include <algorithm>
@@ -41,6 +41,19 @@ inline double SoftLight(double back, double front) {
   if (front <= 0.5) return back - (1 - 2 * front) * back * (1 - back);
   double d = back <= 0.25 ? ((16 * back - 12) * back + 4) * back : std::sqrt(back);
   return back + (2 * front - 1) * (d - back);
+}
+
+// As Photoshop's manual has them: with twice the foreground, or twice what is above its middle.
+inline double LinearLight(double back, double front) {
+  return std::clamp(back + 2 * front - 1, 0.0, 1.0);
+}
+
+inline double VividLight(double back, double front) {
+  return front < 0.5 ? ColorBurn(back, 2 * front) : ColorDodge(back, 2 * front - 1);
+}
+
+inline double PinLight(double back, double front) {
+  return front < 0.5 ? std::min(back, 2 * front) : std::max(back, 2 * front - 1);
 }
 
 inline double Divide(double back, double front) {
@@ -114,6 +127,13 @@ inline const std::pair<const char*, BlendMode> kBlendModes[] = {
     {"saturation",
      [](const Rgb& back, const Rgb& front) { return SetLum(SetSat(back, Sat(front)), Lum(back)); }},
     {"color", [](const Rgb& back, const Rgb& front) { return SetLum(front, Lum(back)); }},
+    {"linear_light", Separable(LinearLight)},
+    {"vivid_light", Separable(VividLight)},
+    {"pin_light", Separable(PinLight)},
+    {"darker_color",
+     [](const Rgb& back, const Rgb& front) { return Lum(front) < Lum(back) ? front : back; }},
+    {"lighter_color",
+     [](const Rgb& back, const Rgb& front) { return Lum(front) > Lum(back) ? front : back; }},
     {"luminosity", [](const Rgb& back, const Rgb& front) { return SetLum(back, Lum(front)); }},
 };
 

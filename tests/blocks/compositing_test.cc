@@ -188,21 +188,14 @@ TEST(BlendTest, HasNeutralColours) {
     double grey;
     double brightest;
   };
-  for (auto [mode, grey, brightest] : {Neutral{"add", 0, 4},
-                                       {"subtract", 0, 4},
-                                       {"multiply", 1, 4},
-                                       {"screen", 0, 4},
-                                       {"overlay", 0.5, 4},
-                                       {"soft_light", 0.5, 4},
-                                       {"hard_light", 0.5, 4},
-                                       {"darken", 4, 4},
-                                       {"lighten", 0, 4},
-                                       {"difference", 0, 4},
-                                       {"exclusion", 0, 4},
-                                       {"color_dodge", 0, 4},
-                                       {"color_burn", 1, 4},
-                                       {"linear_burn", 1, 4},
-                                       {"divide", 1, 4}}) {
+  for (auto [mode, grey, brightest] :
+       {Neutral{"add", 0, 4},   {"subtract", 0, 4},      {"multiply", 1, 4},
+        {"screen", 0, 4},       {"overlay", 0.5, 4},     {"soft_light", 0.5, 4},
+        {"hard_light", 0.5, 4}, {"darken", 4, 4},        {"lighten", 0, 4},
+        {"difference", 0, 4},   {"exclusion", 0, 4},     {"color_dodge", 0, 4},
+        {"color_burn", 1, 4},   {"linear_burn", 1, 4},   {"linear_light", 0.5, 4},
+        {"pin_light", 0.5, 4},  {"vivid_light", 0.5, 4}, {"lighter_color", 0, 4},
+        {"darker_color", 4, 4}, {"divide", 1, 4}}) {
     Pairs pairs;
     for (double part : {0.0, 0.1, 0.25, 0.3, 0.8, 1.0}) {
       pairs.Add({grey, grey, grey, 1}, {part, part * part, part * brightest, 1});
@@ -214,6 +207,25 @@ TEST(BlendTest, HasNeutralColours) {
       }
     }
   }
+}
+
+// One quad at a time: where all its pixels are alike it is 0 or 1, and where the sum passes 1 the
+// pixel has its share.
+TEST(BlendTest, HardMixIsAntialiased) {
+  std::vector<Vector> front, back;
+  for (double x : {0.3, 0.3, 0.3, 0.3, 0.5, 0.54, 0.5, 0.54}) {
+    front.push_back({x, 0.9, 0.71, 1});
+    back.push_back({0.49, 0.2, 0.2, 1});
+  }
+  auto outputs = RunBlock(
+      "blend",
+      {{"foreground", Vectors(front)}, {"background", Vectors(back)}, {"mode", Word{"hard_mix"}}});
+  ASSERT_EQ(outputs.size(), 1u);
+  const Values& seen = outputs["result"];
+  const double kWanted[] = {0, 1, 0};
+  for (size_t c = 0; c < 3; ++c) EXPECT_EQ(seen.Float(0, c), static_cast<float>(kWanted[c]));
+  EXPECT_NEAR(seen.Float(4, 0), 0.25, 1e-5);
+  EXPECT_NEAR(seen.Float(5, 0), 1, 1e-5);
 }
 
 // A colour has its own hue, saturation and luminosity, and black has no light to take a hue from.

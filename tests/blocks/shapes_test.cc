@@ -103,6 +103,74 @@ void ExpectOutline(const std::string& block, const std::vector<Argument>& argume
   ExpectDistances(block, arguments, [&](Point p) { return SignedDistance(outline, p); });
 }
 
+TEST(ShapeTest, Ellipse) {
+  for (Point size : {Point{0.9, 0.5}, {0.3, 1.2}, {0.6, 0.6}, {1.4, 0.07}}) {
+    Line outline;
+    for (int i = 0; i < 8000; ++i) {
+      double angle = 2 * pi * i / 8000;
+      outline.push_back({0.55 + size.x / 2 * std::cos(angle), 0.45 + size.y / 2 * std::sin(angle)});
+    }
+    ExpectOutline("sdf_ellipse", {{"center", Spot(0.55, 0.45)}, {"size", Spot(size.x, size.y)}},
+                  outline);
+  }
+}
+
+// On the axes two points of the outline may be equally near, and at the centre of a circle all.
+TEST(ShapeTest, EllipseOnItsAxes) {
+  auto seen = RunShape("sdf_ellipse", {{"center", Spot(0, 0)}, {"size", Spot(2, 1)}},
+                       {{0, 0}, {0, 2}, {3, 0}, {0.9, 0}, {0, -0.25}});
+  const double kWanted[] = {-0.5, 1.5, 2, -0.1, -0.25};
+  for (size_t i = 0; i < 5; ++i) EXPECT_NEAR(seen.Float(i), kWanted[i], 1e-5) << i;
+  auto round =
+      RunShape("sdf_ellipse", {{"center", Spot(0, 0)}, {"size", Spot(2, 2)}}, {{0, 0}, {0, 0.5}});
+  EXPECT_NEAR(round.Float(0), -1, 1e-5);
+  EXPECT_NEAR(round.Float(1), -0.5, 1e-5);
+}
+
+// The disc's arc outside of the cut, and the cut's arc inside of the disc.
+TEST(ShapeTest, Moon) {
+  const Point center{0.5, 0.45};
+  for (Point cut : {Point{0.2, 0.1}, {-0.05, 0.3}, {0.02, -0.1}}) {
+    const double radius = 0.4, cut_radius = 0.33;
+    Line outline;
+    double apart = std::hypot(cut.x, cut.y), toward = std::atan2(cut.y, cut.x) * 180 / pi;
+    auto half_angle = [&](double own, double other) {
+      double foot = (apart * apart + own * own - other * other) / (2 * apart);
+      return std::acos(foot / own) * 180 / pi;
+    };
+    double outer = half_angle(radius, cut_radius), inner = half_angle(cut_radius, radius);
+    AddArc(outline, center, radius, toward + outer, toward + 360 - outer);
+    AddArc(outline, {center.x + cut.x, center.y + cut.y}, cut_radius, toward + 180 + inner,
+           toward + 180 - inner);
+    ExpectOutline("sdf_moon",
+                  {{"center", Spot(center.x, center.y)},
+                   {"radius", Floats({radius})},
+                   {"cut", Spot(cut.x, cut.y)},
+                   {"cut_radius", Floats({cut_radius})}},
+                  outline);
+  }
+}
+
+// What the cut does not reach is a disc, and what it has all of a ring of another middle.
+TEST(ShapeTest, MoonWithoutTips) {
+  auto far = RunShape("sdf_moon",
+                      {{"center", Spot(0, 0)},
+                       {"radius", Floats({0.4})},
+                       {"cut", Spot(3, 0)},
+                       {"cut_radius", Floats({0.2})}},
+                      {{1, 0}, {0, 0.3}, {0.41, 0}});
+  const double kFar[] = {0.6, -0.1, 0.01};
+  auto inside = RunShape("sdf_moon",
+                         {{"center", Spot(0, 0)},
+                          {"radius", Floats({1})},
+                          {"cut", Spot(0.1, 0)},
+                          {"cut_radius", Floats({0.2})}},
+                         {{0.1, 0.1}, {0.9, 0}, {-0.3, 0}, {2, 0}});
+  const double kInside[] = {0.1, -0.1, -0.2, 1};
+  for (size_t i = 0; i < 3; ++i) EXPECT_NEAR(far.Float(i), kFar[i], 1e-6) << i;
+  for (size_t i = 0; i < 4; ++i) EXPECT_NEAR(inside.Float(i), kInside[i], 1e-6) << i;
+}
+
 TEST(ShapeTest, Circle) {
   ExpectOutline("sdf_circle", {{"center", Spot(0.4, 0.7)}, {"radius", Floats({0.3})}},
                 Arc({0.4, 0.7}, 0.3, 0, 360));
@@ -395,6 +463,24 @@ TEST(ShapeCombinationTest, SmoothUnionFollowsItsFormula) {
       double near = std::fmax(k - std::fabs(a - b), 0);
       double wanted = std::fmin(a, b) - (k > 0 ? near * near / (4 * k) : 0);
       EXPECT_NEAR(outputs["result"].Float(i), wanted, 1e-6) << k;
+    }
+  }
+}
+
+// Both are unions of what is outside.
+TEST(ShapeCombinationTest, SmoothIntersectionAndDifferenceFollowTheirFormula) {
+  Circles circles;
+  for (double k : {0.0, 0.05, 0.3}) {
+    for (const char* block : {"sdf_smooth_intersection", "sdf_smooth_difference"}) {
+      auto outputs = RunBlock(block, {{"a", circles.a}, {"b", circles.b}, {"k", Floats({k})}});
+      ASSERT_EQ(outputs.size(), 1u);
+      double sign = block == std::string("sdf_smooth_difference") ? -1 : 1;
+      for (size_t i = 0; i < circles.points.size(); ++i) {
+        double a = circles.a.Float(i), b = sign * circles.b.Float(i);
+        double near = std::fmax(k - std::fabs(a - b), 0);
+        double wanted = std::fmax(a, b) + (k > 0 ? near * near / (4 * k) : 0);
+        EXPECT_NEAR(outputs["result"].Float(i), wanted, 1e-6) << block << " " << k;
+      }
     }
   }
 }
