@@ -112,6 +112,21 @@ set(TEXGRAPH_STDLIB_BLOCKS
   math/subtract.glsl
   math/threshold.glsl
   math/triangle_wave.glsl
+  noise/billow.glsl
+  noise/curl.glsl
+  noise/curl3.glsl
+  noise/directions2.glsl
+  noise/directions3.glsl
+  noise/directions4.glsl
+  noise/domain_warp.glsl
+  noise/fbm.glsl
+  noise/gradient_noise.glsl
+  noise/lattice_cells.glsl
+  noise/ridged.glsl
+  noise/simplex_noise.glsl
+  noise/turbulence.glsl
+  noise/value_noise.glsl
+  noise/widest.glsl
   patterns/checker.glsl
   patterns/circle.glsl
   patterns/gradient_angular.glsl
@@ -121,7 +136,6 @@ set(TEXGRAPH_STDLIB_BLOCKS
   patterns/ramp.glsl
   patterns/ramp4.glsl
   patterns/rectangle.glsl
-  patterns/value_noise.glsl
   random/hash.glsl
   random/random.glsl
   random/random2.glsl

@@ -312,6 +312,7 @@ class DocChecker {
     const ParameterDoc* doc = FindDoc(overload, port.name);
     if (!doc) return;
     port.help = doc->help;
+    gen_type_ = overload.gen_type;
     // The default is checked against the range.
     for (std::string_view tag :
          {"@unit", "@range", "@length", "@default", "@ordered", "@not_below", "@multiple_of",
@@ -443,6 +444,8 @@ class DocChecker {
                                         ir::ScalarOf(port.type) == ir::Scalar::kFloat);
       if (port.kind == PortKind::kValue && fits) {
         port.default_input = value.text;
+      } else if (port.kind == PortKind::kValue && port.type == gen_type_ && ir::IsFloat(type)) {
+        // "uv" is the default of a genType where that is vec2; the others have none.
       } else {
         Error(value.range, "'" + std::string(value.text) + "' is a " + std::string(input.type) +
                                " that is not known when the shader is made; this port takes " +
@@ -692,6 +695,7 @@ class DocChecker {
   std::vector<std::string_view> description_;
   std::vector<Lines> runs_;
   std::set<uint32_t> reported_;
+  TypeId gen_type_;  // of the overload whose ports are set
 };
 
 }  // namespace

@@ -71,7 +71,7 @@ uvec4 hash(uvec4 value) {
   return (word >> 22u) ^ word;
 }
 
-// value_noise (patterns/value_noise.glsl)
+// value_noise (noise/value_noise.glsl)
 float value_noise(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
   vec2 p = uv * vec2(5.3, 4.7);
   vec2 base = floor(p);
@@ -106,7 +106,7 @@ void main() {
   // water: reference_texture (indirection/reference_texture.glsl)
   vec4 texel = texture(drops, vec3(product, float(picture)));
   vec4 water = picture < 0 ? vec4(0.0) : texel;
-  // depth: value_noise (patterns/value_noise.glsl)
+  // depth: value_noise (noise/value_noise.glsl)
   float depth = value_noise(uv, uv_dx, uv_dy);
   // light: remap (math/remap.glsl)
   float light = mix(0.88, 1.1, depth);

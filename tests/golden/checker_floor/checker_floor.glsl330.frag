@@ -64,7 +64,7 @@ uvec4 hash(uvec4 value) {
   return (word >> 22u) ^ word;
 }
 
-// value_noise (patterns/value_noise.glsl)
+// value_noise (noise/value_noise.glsl)
 float value_noise(vec2 uv, vec2 scale, int seed, vec2 uv_dx, vec2 uv_dy) {
   vec2 p = uv * scale;
   vec2 base = floor(p);
@@ -114,9 +114,9 @@ void main() {
   vec2 tilted_dx = mat2(0.83867055, -0.54463905, 0.54463905, 0.83867055) * uv_dx;
   vec2 tilted_dy = mat2(0.83867055, -0.54463905, 0.54463905, 0.83867055) * uv_dy;
   vec2 tilted = mat2(0.83867055, -0.54463905, 0.54463905, 0.83867055) * (uv - 0.5) + 0.5;
-  // coarse: value_noise (patterns/value_noise.glsl)
+  // coarse: value_noise (noise/value_noise.glsl)
   float coarse = value_noise(tilted, vec2(34.0), 3, tilted_dx, tilted_dy);
-  // fine: value_noise (patterns/value_noise.glsl)
+  // fine: value_noise (noise/value_noise.glsl)
   float fine = value_noise(tilted, vec2(110.0), 4, tilted_dx, tilted_dy);
   // clouds: lerp (math/lerp.glsl)
   float clouds = mix(coarse, fine, 0.4);

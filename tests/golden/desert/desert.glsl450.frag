@@ -38,7 +38,7 @@ uvec4 hash(uvec4 value) {
   return (word >> 22u) ^ word;
 }
 
-// value_noise (patterns/value_noise.glsl)
+// value_noise (noise/value_noise.glsl)
 float value_noise(vec2 uv, vec2 scale, int seed, vec2 uv_dx, vec2 uv_dy, out float result_dx,
     out float result_dy) {
   vec2 p = uv * scale;
@@ -73,7 +73,7 @@ float value_noise(vec2 uv, vec2 scale, int seed, vec2 uv_dx, vec2 uv_dy, out flo
   return mix(mix(low, high, fade.y), 0.5, blur);
 }
 
-// value_noise (patterns/value_noise.glsl)
+// value_noise (noise/value_noise.glsl)
 float value_noise2(vec2 uv, vec2 scale, int seed, vec2 uv_dx, vec2 uv_dy) {
   vec2 p = uv * scale;
   vec2 base = floor(p);
@@ -187,9 +187,9 @@ vec4 rock(vec2 uv, Tile tile, vec2 uv_dx, vec2 uv_dy) {
   vec2 piece = vec2(x, y);
   // here: add (math/add.glsl)
   vec2 here = uv + piece;
-  // bumps: value_noise (patterns/value_noise.glsl)
+  // bumps: value_noise (noise/value_noise.glsl)
   float bumps = value_noise2(here, vec2(5.0), 11, uv_dx, uv_dy);
-  // grains: value_noise (patterns/value_noise.glsl)
+  // grains: value_noise (noise/value_noise.glsl)
   float grains = value_noise2(here, vec2(34.0), 12, uv_dx, uv_dy);
   // radius: remap (math/remap.glsl)
   float radius = mix(0.24, 0.42, bumps);
@@ -363,10 +363,10 @@ vec4 tuft(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
   vec2 way_dx = uv_dx * inverse_root + product;
   vec2 product2 = from_foot * (-0.5 * (test ? 0.0 : projection2 + projection2) * ratio);
   vec2 way_dy = uv_dy * inverse_root + product2;
-  // blades: value_noise (patterns/value_noise.glsl)
+  // blades: value_noise (noise/value_noise.glsl)
   float blades_dx, blades_dy;
   float blades = value_noise(way, vec2(9.0), 4, way_dx, way_dy, blades_dx, blades_dy);
-  // fine: value_noise (patterns/value_noise.glsl)
+  // fine: value_noise (noise/value_noise.glsl)
   float fine_dx, fine_dy;
   float fine = value_noise(way, vec2(23.0), 5, way_dx, way_dy, fine_dx, fine_dy);
   // both: lerp (math/lerp.glsl)
@@ -513,10 +513,10 @@ vec4 layer_rocks(vec2 uv, vec2 uv_dx, vec2 uv_dy, vec2 tile_local_dx, vec2 tile_
 
 void main() {
   vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
-  // dunes: value_noise (patterns/value_noise.glsl)
+  // dunes: value_noise (noise/value_noise.glsl)
   float dunes_dx, dunes_dy;
   float dunes = value_noise(uv, vec2(3.0, 2.0), 1, uv_dx, uv_dy, dunes_dx, dunes_dy);
-  // bends: value_noise (patterns/value_noise.glsl)
+  // bends: value_noise (noise/value_noise.glsl)
   float bends_dx, bends_dy;
   float bends = value_noise(uv, vec2(7.0, 6.0), 2, uv_dx, uv_dy, bends_dx, bends_dy);
   // slope: lerp (math/lerp.glsl)
@@ -535,9 +535,9 @@ void main() {
   vec2 ripple_uv = vec2(uv.x, along);
   vec2 ripple_uv_dx = vec2(uv_dx.x, along_dx);
   vec2 ripple_uv_dy = vec2(uv_dy.x, along_dy);
-  // ripples: value_noise (patterns/value_noise.glsl)
+  // ripples: value_noise (noise/value_noise.glsl)
   float ripples = value_noise2(ripple_uv, vec2(5.0, 70.0), 3, ripple_uv_dx, ripple_uv_dy);
-  // grains: value_noise (patterns/value_noise.glsl)
+  // grains: value_noise (noise/value_noise.glsl)
   float grains = value_noise2(uv, vec2(300.0), 4, uv_dx, uv_dy);
   // relief: lerp (math/lerp.glsl)
   float relief = mix(ripples, grains, 0.35);

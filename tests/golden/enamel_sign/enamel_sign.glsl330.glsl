@@ -37,7 +37,7 @@ uvec4 enamel_sign_hash(uvec4 value) {
   return (word >> 22u) ^ word;
 }
 
-// value_noise (patterns/value_noise.glsl)
+// value_noise (noise/value_noise.glsl)
 float enamel_sign_value_noise(vec2 uv, vec2 scale, int seed, vec2 uv_dx, vec2 uv_dy) {
   vec2 p = uv * scale;
   vec2 base = floor(p);
@@ -363,7 +363,7 @@ float enamel_sign_smooth_step(float value) {
   return t * t * (3.0 - 2.0 * t);
 }
 
-// value_noise (patterns/value_noise.glsl)
+// value_noise (noise/value_noise.glsl)
 float enamel_sign_value_noise2(vec2 uv, vec2 scale, int seed, vec2 uv_dx, vec2 uv_dy,
     out float result_dx, out float result_dy) {
   vec2 p = uv * scale;
@@ -530,9 +530,9 @@ float enamel_sign_sdf_line(vec2 uv, vec2 uv_dx, vec2 uv_dy, out float result_dx,
 
 void enamel_sign(vec2 uv, out vec4 color, out float roughness) {
   vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
-  // plaster_coarse: value_noise (patterns/value_noise.glsl)
+  // plaster_coarse: value_noise (noise/value_noise.glsl)
   float plaster_coarse = enamel_sign_value_noise(uv, vec2(7.0), 3, uv_dx, uv_dy);
-  // plaster_fine: value_noise (patterns/value_noise.glsl)
+  // plaster_fine: value_noise (noise/value_noise.glsl)
   float plaster_fine = enamel_sign_value_noise(uv, vec2(90.0), 4, uv_dx, uv_dy);
   // plaster: lerp (math/lerp.glsl)
   float plaster = mix(plaster_coarse, plaster_fine, 0.4);
@@ -656,11 +656,11 @@ void enamel_sign(vec2 uv, out vec4 color, out float roughness) {
   float rim_amount = bulge * 0.6;
   // bulged: lerp (math/lerp.glsl)
   vec3 bulged = mix(gloss, rim, rim_amount);
-  // bites_coarse: value_noise (patterns/value_noise.glsl)
+  // bites_coarse: value_noise (noise/value_noise.glsl)
   float bites_coarse_dx, bites_coarse_dy;
   float bites_coarse = enamel_sign_value_noise2(uv, vec2(13.0), 8, uv_dx, uv_dy, bites_coarse_dx,
       bites_coarse_dy);
-  // bites_fine: value_noise (patterns/value_noise.glsl)
+  // bites_fine: value_noise (noise/value_noise.glsl)
   float bites_fine_dx, bites_fine_dy;
   float bites_fine = enamel_sign_value_noise2(uv, vec2(70.0), 9, uv_dx, uv_dy, bites_fine_dx,
       bites_fine_dy);

@@ -569,7 +569,7 @@ uvec4 glyphs_hash(uvec4 value) {
   return (word >> 22u) ^ word;
 }
 
-// value_noise (patterns/value_noise.glsl)
+// value_noise (noise/value_noise.glsl)
 float glyphs_value_noise(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
   vec2 p = uv * 6.0;
   vec2 base = floor(p);
@@ -640,7 +640,7 @@ void glyphs(vec2 uv, out vec4 color, out float height, out float roughness) {
   float lines = max(thin, frame_lines);
   // grain_place: multiply (math/multiply.glsl)
   vec2 grain_place = uv * vec2(1.0, 14.0);
-  // grain: value_noise (patterns/value_noise.glsl)
+  // grain: value_noise (noise/value_noise.glsl)
   vec2 grain_place_dx = uv_dx * vec2(1.0, 14.0);
   vec2 grain_place_dy = uv_dy * vec2(1.0, 14.0);
   float grain = glyphs_value_noise(grain_place, grain_place_dx, grain_place_dy);

@@ -224,7 +224,7 @@ uvec4 hash(uvec4 value) {
   return (word >> 22u) ^ word;
 }
 
-// value_noise (patterns/value_noise.glsl)
+// value_noise (noise/value_noise.glsl)
 float value_noise(vec2 uv, vec2 scale, int seed, vec2 uv_dx, vec2 uv_dy) {
   vec2 p = uv * scale;
   vec2 base = floor(p);
@@ -844,11 +844,11 @@ void main() {
   vec3 paint = mix(wall_tint, dado_tint, dado);
   // painted: multiply (math/multiply.glsl)
   vec3 painted = finish_color.xyz * paint;
-  // damp_coarse: value_noise (patterns/value_noise.glsl)
+  // damp_coarse: value_noise (noise/value_noise.glsl)
   float damp_coarse = value_noise(uv, vec2(2.3, 1.7), 1, uv_dx, uv_dy);
-  // damp_fine: value_noise (patterns/value_noise.glsl)
+  // damp_fine: value_noise (noise/value_noise.glsl)
   float damp_fine = value_noise(uv, vec2(9.0, 5.0), 2, uv_dx, uv_dy);
-  // damp_edge: value_noise (patterns/value_noise.glsl)
+  // damp_edge: value_noise (noise/value_noise.glsl)
   float damp_edge = value_noise(uv, vec2(31.0, 23.0), 3, uv_dx, uv_dy);
   // damp_half: lerp (math/lerp.glsl)
   float damp_half = mix(damp_coarse, damp_fine, 0.35);
@@ -924,7 +924,7 @@ void main() {
   vec3 wood_slope = bend_up * inversesqrt(max(dot(bend_up, bend_up), 1e-30));
   // wood_mask: maximum (math/maximum.glsl)
   float wood_mask = max(rail, board);
-  // streaks: value_noise (patterns/value_noise.glsl)
+  // streaks: value_noise (noise/value_noise.glsl)
   float streaks = value_noise(uv, vec2(6.0, 90.0), 7, uv_dx, uv_dy);
   // wood_tone: remap (math/remap.glsl)
   float wood_tone = mix(0.75, 1.1, streaks);

@@ -94,7 +94,7 @@ uvec4 herringbone_parquet_hash(uvec4 value) {
   return (word >> 22u) ^ word;
 }
 
-// value_noise (patterns/value_noise.glsl)
+// value_noise (noise/value_noise.glsl)
 float herringbone_parquet_value_noise(vec2 uv, vec2 scale, int seed, vec2 uv_dx, vec2 uv_dy,
     out float result_dx, out float result_dy) {
   vec2 p = uv * scale;
@@ -130,7 +130,7 @@ float herringbone_parquet_value_noise(vec2 uv, vec2 scale, int seed, vec2 uv_dx,
   return mix(mix(low, high, fade.y), 0.5, blur);
 }
 
-// value_noise (patterns/value_noise.glsl)
+// value_noise (noise/value_noise.glsl)
 float herringbone_parquet_value_noise2(vec2 uv, vec2 scale, int seed, vec2 uv_dx, vec2 uv_dy) {
   vec2 p = uv * scale;
   vec2 base = floor(p);
@@ -186,13 +186,13 @@ void herringbone_parquet(vec2 uv, out vec4 color, out float roughness, out float
   vec2 cut = vec2(cut_x, cut_y);
   // place: add (math/add.glsl)
   vec2 place = inside + cut;
-  // bend: value_noise (patterns/value_noise.glsl)
+  // bend: value_noise (noise/value_noise.glsl)
   vec2 place_dx = grid_tile_local_dx * vec2(5.0, 1.0);
   vec2 place_dy = grid_tile_local_dy * vec2(5.0, 1.0);
   float bend_dx, bend_dy;
   float bend = herringbone_parquet_value_noise(place, vec2(0.3, 1.1), 1, place_dx, place_dy,
       bend_dx, bend_dy);
-  // waver: value_noise (patterns/value_noise.glsl)
+  // waver: value_noise (noise/value_noise.glsl)
   float waver_dx, waver_dy;
   float waver = herringbone_parquet_value_noise(place, vec2(1.3, 3.5), 2, place_dx, place_dy,
       waver_dx, waver_dy);
@@ -220,7 +220,7 @@ void herringbone_parquet(vec2 uv, out vec4 color, out float roughness, out float
   vec2 sheet = vec2(0.5, depth);
   vec2 sheet_dx = vec2(0.0, depth_dx);
   vec2 sheet_dy = vec2(0.0, depth_dy);
-  // rings: value_noise (patterns/value_noise.glsl)
+  // rings: value_noise (noise/value_noise.glsl)
   vec2 product = sheet * vec2(1.0, 2.6);
   vec2 whole = floor(product);
   vec2 difference = product - whole;
@@ -236,11 +236,11 @@ void herringbone_parquet(vec2 uv, out vec4 color, out float roughness, out float
   vec2 product4 = sqrt(sheet_dx * sheet_dx + sheet_dy * sheet_dy) * vec2(1.0, 2.6);
   float blend2 = mix(blend, mix(product3.z, product3.w, product2.x), product2.y);
   float rings = mix(blend2, 0.5, clamp(2.0 * max(product4.x, product4.y) - 1.0, 0.0, 1.0));
-  // fibre: value_noise (patterns/value_noise.glsl)
+  // fibre: value_noise (noise/value_noise.glsl)
   float fibre = herringbone_parquet_value_noise2(place, vec2(1.4, 44.0), 4, place_dx, place_dy);
-  // strands: value_noise (patterns/value_noise.glsl)
+  // strands: value_noise (noise/value_noise.glsl)
   float strands = herringbone_parquet_value_noise2(place, vec2(0.7, 13.0), 5, place_dx, place_dy);
-  // pore_noise: value_noise (patterns/value_noise.glsl)
+  // pore_noise: value_noise (noise/value_noise.glsl)
   float pore_noise = herringbone_parquet_value_noise2(place, vec2(3.2, 64.0), 6, place_dx,
       place_dy);
   // pores: smooth_step (math/smooth_step.glsl)

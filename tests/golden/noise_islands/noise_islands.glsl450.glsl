@@ -19,7 +19,7 @@ uvec4 noise_islands_hash(uvec4 value) {
   return (word >> 22u) ^ word;
 }
 
-// value_noise (patterns/value_noise.glsl)
+// value_noise (noise/value_noise.glsl)
 float noise_islands_value_noise(vec2 uv, vec2 scale, vec2 uv_dx, vec2 uv_dy, out float result_dx,
     out float result_dy) {
   vec2 p = uv * scale;
@@ -89,16 +89,16 @@ float noise_islands_threshold(float value, float edge, float value_dx, float val
 
 void noise_islands(vec2 uv, out vec4 color, out float height, out float roughness) {
   vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
-  // lands: value_noise (patterns/value_noise.glsl)
+  // lands: value_noise (noise/value_noise.glsl)
   float lands_dx, lands_dy;
   float lands = noise_islands_value_noise(uv, vec2(4.0), uv_dx, uv_dy, lands_dx, lands_dy);
-  // hills: value_noise (patterns/value_noise.glsl)
+  // hills: value_noise (noise/value_noise.glsl)
   float hills_dx, hills_dy;
   float hills = noise_islands_value_noise(uv, vec2(9.0), uv_dx, uv_dy, hills_dx, hills_dy);
-  // rocks: value_noise (patterns/value_noise.glsl)
+  // rocks: value_noise (noise/value_noise.glsl)
   float rocks_dx, rocks_dy;
   float rocks = noise_islands_value_noise(uv, vec2(21.0), uv_dx, uv_dy, rocks_dx, rocks_dy);
-  // stones: value_noise (patterns/value_noise.glsl)
+  // stones: value_noise (noise/value_noise.glsl)
   float stones_dx, stones_dy;
   float stones = noise_islands_value_noise(uv, vec2(50.0), uv_dx, uv_dy, stones_dx, stones_dy);
   // coarse: lerp (math/lerp.glsl)

@@ -68,7 +68,7 @@ uvec4 painted_wood_hash(uvec4 value) {
   return (word >> 22u) ^ word;
 }
 
-// value_noise (patterns/value_noise.glsl)
+// value_noise (noise/value_noise.glsl)
 float painted_wood_value_noise(vec2 uv, vec2 scale, int seed, vec2 uv_dx, vec2 uv_dy) {
   vec2 p = uv * scale;
   vec2 base = floor(p);
@@ -144,11 +144,11 @@ void painted_wood(vec2 uv, out vec4 color, out float roughness) {
   // tilted: uv_transform (images/uv_transform.glsl)
   vec2 tilted_dx, tilted_dy;
   vec2 tilted = painted_wood_uv_transform_tilted(uv, uv_dx, uv_dy, tilted_dx, tilted_dy);
-  // patches: value_noise (patterns/value_noise.glsl)
+  // patches: value_noise (noise/value_noise.glsl)
   float patches = painted_wood_value_noise(tilted, vec2(9.0, 7.0), 1, tilted_dx, tilted_dy);
-  // flakes: value_noise (patterns/value_noise.glsl)
+  // flakes: value_noise (noise/value_noise.glsl)
   float flakes = painted_wood_value_noise(tilted, vec2(42.0, 33.0), 2, tilted_dx, tilted_dy);
-  // chips: value_noise (patterns/value_noise.glsl)
+  // chips: value_noise (noise/value_noise.glsl)
   float chips = painted_wood_value_noise(tilted, vec2(130.0, 90.0), 3, tilted_dx, tilted_dy);
   // edges: lerp (math/lerp.glsl)
   float edges = mix(flakes, chips, 0.35);

@@ -71,7 +71,7 @@ uvec4 hash(uvec4 value) {
   return (word >> 22u) ^ word;
 }
 
-// value_noise (patterns/value_noise.glsl)
+// value_noise (noise/value_noise.glsl)
 float value_noise(vec2 uv, vec2 scale, int seed, vec2 uv_dx, vec2 uv_dy) {
   vec2 p = uv * scale;
   vec2 base = floor(p);
@@ -147,11 +147,11 @@ void main() {
   // tilted: uv_transform (images/uv_transform.glsl)
   vec2 tilted_dx, tilted_dy;
   vec2 tilted = uv_transform_tilted(uv, uv_dx, uv_dy, tilted_dx, tilted_dy);
-  // patches: value_noise (patterns/value_noise.glsl)
+  // patches: value_noise (noise/value_noise.glsl)
   float patches = value_noise(tilted, vec2(9.0, 7.0), 1, tilted_dx, tilted_dy);
-  // flakes: value_noise (patterns/value_noise.glsl)
+  // flakes: value_noise (noise/value_noise.glsl)
   float flakes = value_noise(tilted, vec2(42.0, 33.0), 2, tilted_dx, tilted_dy);
-  // chips: value_noise (patterns/value_noise.glsl)
+  // chips: value_noise (noise/value_noise.glsl)
   float chips = value_noise(tilted, vec2(130.0, 90.0), 3, tilted_dx, tilted_dy);
   // edges: lerp (math/lerp.glsl)
   float edges = mix(flakes, chips, 0.35);

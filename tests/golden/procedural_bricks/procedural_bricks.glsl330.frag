@@ -103,7 +103,7 @@ uvec4 hash(uvec4 value) {
   return (word >> 22u) ^ word;
 }
 
-// value_noise (patterns/value_noise.glsl)
+// value_noise (noise/value_noise.glsl)
 float value_noise(vec2 uv, vec2 scale, int seed, vec2 uv_dx, vec2 uv_dy) {
   vec2 p = uv * scale;
   vec2 base = floor(p);
@@ -132,15 +132,15 @@ float rectangle(vec2 uv, vec2 size, vec2 uv_dx, vec2 uv_dy) {
 
 // brick_face (function of the graph)
 vec4 brick_face(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
-  // clouds: value_noise (patterns/value_noise.glsl)
+  // clouds: value_noise (noise/value_noise.glsl)
   float clouds = value_noise(uv, vec2(5.0, 3.0), 1, uv_dx, uv_dy);
-  // grains: value_noise (patterns/value_noise.glsl)
+  // grains: value_noise (noise/value_noise.glsl)
   float grains = value_noise(uv, vec2(48.0, 24.0), 2, uv_dx, uv_dy);
   // rough: lerp (math/lerp.glsl)
   float rough = mix(clouds, grains, 0.45);
   // tone: remap (math/remap.glsl)
   float tone = mix(0.55, 1.35, rough);
-  // wave: value_noise (patterns/value_noise.glsl)
+  // wave: value_noise (noise/value_noise.glsl)
   float wave = value_noise(uv, vec2(18.0, 9.0), 3, uv_dx, uv_dy);
   // inset: remap (math/remap.glsl)
   float inset = mix(0.86, 0.94, wave);
@@ -252,7 +252,7 @@ void main() {
   vec4 lime_color = draw(brick_inner, brick_inner_local_dx, brick_inner_local_dy);
   // face: blend (layers/blend.glsl)
   vec4 face = blend(lime_color, brick_color, mask);
-  // sand: value_noise (patterns/value_noise.glsl)
+  // sand: value_noise (noise/value_noise.glsl)
   float sand = value_noise(uv, vec2(220.0), 8, uv_dx, uv_dy);
   // mortar_tone: remap (math/remap.glsl)
   float mortar_tone = mix(0.22, 0.4, sand);

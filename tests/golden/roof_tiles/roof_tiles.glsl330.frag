@@ -141,7 +141,7 @@ uvec4 hash(uvec4 value) {
   return (word >> 22u) ^ word;
 }
 
-// value_noise (patterns/value_noise.glsl)
+// value_noise (noise/value_noise.glsl)
 float value_noise(vec2 uv, vec2 scale, int seed, vec2 uv_dx, vec2 uv_dy) {
   vec2 p = uv * scale;
   vec2 base = floor(p);
@@ -187,11 +187,11 @@ Material roof_tile(vec2 uv, Tile tile, vec2 uv_dx, vec2 uv_dy) {
   float away = 90.0 * (float(hash(tile.seed + 13u) >> 8u) * 5.9604645e-8);
   // place: add (math/add.glsl)
   vec2 place = uv + away;
-  // blots: value_noise (patterns/value_noise.glsl)
+  // blots: value_noise (noise/value_noise.glsl)
   float blots = value_noise(place, vec2(4.0, 7.0), 1, uv_dx, uv_dy);
-  // specks: value_noise (patterns/value_noise.glsl)
+  // specks: value_noise (noise/value_noise.glsl)
   float specks = value_noise(place, vec2(19.0, 37.0), 2, uv_dx, uv_dy);
-  // crumbs: value_noise (patterns/value_noise.glsl)
+  // crumbs: value_noise (noise/value_noise.glsl)
   float crumbs = value_noise(place, vec2(53.0, 101.0), 4, uv_dx, uv_dy);
   // rim: lerp (math/lerp.glsl)
   float rim = mix(specks, crumbs, 0.4);

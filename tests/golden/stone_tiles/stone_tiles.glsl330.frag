@@ -61,7 +61,7 @@ uvec4 hash(uvec4 value) {
   return (word >> 22u) ^ word;
 }
 
-// value_noise (patterns/value_noise.glsl)
+// value_noise (noise/value_noise.glsl)
 float value_noise(vec2 uv, vec2 scale, int seed, vec2 uv_dx, vec2 uv_dy) {
   vec2 p = uv * scale;
   vec2 base = floor(p);
@@ -113,9 +113,9 @@ void main() {
   float hue = float(hash(grid.seed) >> 8u) * 5.9604645e-8;
   // stone: color_ramp (color/color_ramp.glsl)
   vec4 stone = color_ramp(hue);
-  // strata: value_noise (patterns/value_noise.glsl)
+  // strata: value_noise (noise/value_noise.glsl)
   float strata = value_noise(uv, vec2(5.0, 60.0), 4, uv_dx, uv_dy);
-  // sand: value_noise (patterns/value_noise.glsl)
+  // sand: value_noise (noise/value_noise.glsl)
   float sand = value_noise(uv, vec2(180.0), 5, uv_dx, uv_dy);
   // grain: lerp (math/lerp.glsl)
   float grain = mix(strata, sand, 0.5);
@@ -126,7 +126,7 @@ void main() {
   // depth: tile_distance (tiles/tile_distance.glsl)
   vec2 product = (0.5 - abs(grid.local - 0.5)) * vec2(0.25, 0.16666667);
   float depth = min(product.x, product.y);
-  // bites: value_noise (patterns/value_noise.glsl)
+  // bites: value_noise (noise/value_noise.glsl)
   float bites = value_noise(uv, vec2(50.0), 6, uv_dx, uv_dy);
   // eaten: multiply (math/multiply.glsl)
   float eaten = bites * wear;

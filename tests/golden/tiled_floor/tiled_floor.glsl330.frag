@@ -340,7 +340,7 @@ uvec4 hash(uvec4 value) {
   return (word >> 22u) ^ word;
 }
 
-// value_noise (patterns/value_noise.glsl)
+// value_noise (noise/value_noise.glsl)
 float value_noise(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
   vec2 p = uv * 5.0;
   vec2 base = floor(p);
@@ -409,7 +409,7 @@ void main() {
   Material worn_surface = draw_worn(tiles_inner, tiles_inner_local_dx, tiles_inner_local_dy);
   // sand_color: tiled_image (images/tiled_image.glsl)
   vec4 sand_color = texture(grit, uv * 3.0);
-  // dirt_noise: value_noise (patterns/value_noise.glsl)
+  // dirt_noise: value_noise (noise/value_noise.glsl)
   float dirt_noise = value_noise(uv, uv_dx, uv_dy);
   // dirt: remap (math/remap.glsl)
   float dirt = mix(0.45, 1.1, dirt_noise);

@@ -342,7 +342,7 @@ uvec4 tiled_floor_hash(uvec4 value) {
   return (word >> 22u) ^ word;
 }
 
-// value_noise (patterns/value_noise.glsl)
+// value_noise (noise/value_noise.glsl)
 float tiled_floor_value_noise(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
   vec2 p = uv * 5.0;
   vec2 base = floor(p);
@@ -416,7 +416,7 @@ void tiled_floor(vec2 uv, out vec4 color, out vec3 normal, out float roughness, 
       tiles_inner_local_dy);
   // sand_color: tiled_image (images/tiled_image.glsl)
   vec4 sand_color = texture(grit, uv * 3.0);
-  // dirt_noise: value_noise (patterns/value_noise.glsl)
+  // dirt_noise: value_noise (noise/value_noise.glsl)
   float dirt_noise = tiled_floor_value_noise(uv, uv_dx, uv_dy);
   // dirt: remap (math/remap.glsl)
   float dirt = mix(0.45, 1.1, dirt_noise);

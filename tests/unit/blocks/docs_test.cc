@@ -215,6 +215,23 @@ TEST(BlockDocs, Mistakes) {
             "1:26: the value must be float, got bool [block-doc]\n");
 }
 
+// An input of the graph is the default of the versions that have its type.
+TEST(BlockDocs, DefaultsOfGenType) {
+  TestLibrary test(Files{{"x.glsl",
+                          "/// X.\n/// @param a it @default uv\n/// @param b it @default time\n"
+                          "genType x(genType a, genType b) { return a + b; }"}});
+  const Block* block = test.library.Find("x");
+  ASSERT_NE(block, nullptr) << test.Report();
+  std::vector<std::string> defaults;
+  for (const Overload& overload : block->overloads) {
+    defaults.push_back(std::string(overload.inputs[0].default_input) + " " +
+                       std::string(overload.inputs[1].default_input));
+  }
+  EXPECT_THAT(defaults, ElementsAre(" time", "uv time", " time", " time"));
+  EXPECT_EQ(test.Report(), "");
+  EXPECT_NE(ReportOf("/// @param a it @default neighbour\ngenType x(genType a) { return a; }"), "");
+}
+
 TEST(BlockDocs, Lengths) {
   TestLibrary test(Files{{"x.glsl",
                           "const vec2 LINE[2] = vec2[](vec2(0.0), vec2(1.0));\n"

@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sums of noises, warps and curls over function ports, against the same sums in double precision.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "tests/blocks/noise_reference.h"
+#include "tests/blocks/run_block.h"
+
+namespace texgraph::blocks {
+namespace {
+
+using reference::Mix;
+using reference::Noise;
+using reference::NoiseAt;
+using reference::Place;
+
+// Points all over [-2, 3]^2.
+std::vector<Point> Scatter(int count) {
+  std::vector<Point> points;
+  for (int i = 0; i < count; ++i) {
+    double x = std::fmod(0.1234 + 0.7548776662 * i, 1);
+    double y = std::fmod(0.5678 + 0.5698402910 * i, 1);
+    points.push_back({5 * x - 2, 5 * y - 2});
+  }
+  return points;
+}
+
+// One output of a graph with these nodes.
+Values RunNodes(const std::string& nodes, const std::string& output,
+                const std::vector<Point>& points, double pixel, double tolerance = 1e-4) {
+  auto outputs = RunGraph(R"({"texgraph": 1, "functions": {"perlin": {
+        "inputs": {"p": "vec3"},
+        "nodes": {"n": {"block": "gradient_noise", "in": {"uv": "p", "scale": 1, "seed": 5}}},
+        "outputs": {"value": "n"}}}, "nodes": {)" +
+                              nodes + R"(}, "outputs": {)" + output + "}}",
+                          points, {pixel, pixel}, tolerance);
+  if (outputs.empty()) return Floats(std::vector<double>(points.size(), NAN));
+  return outputs.begin()->second;
+}
+
+const char kPerlin[] = R"("n": {"block": "gradient_noise", "in": {"scale": 1, "seed": 5}},)";
+
+// The place in the plane that is laid through space, at z = 0.3.
+const char kSpace[] = R"(
+    "parts": {"block": "components", "in": {"vector": "uv"}},
+    "p": {"block": "combine3", "in": {"x": "parts.x", "y": "parts.y", "z": 0.3}},)";
+
+struct Settings {
+  double scale = 3;
+  int octaves = 4;
+  double lacunarity = 2.5, gain = 0.6, feedback = 0.8;
+};
+
+std::string Ports(const Settings& s, bool feedback) {
+  std::string ports =
+      "\"scale\": " + std::to_string(s.scale) + ", \"octaves\": " + std::to_string(s.octaves) +
+      ", \"lacunarity\": " + std::to_string(s.lacunarity) + ", \"gain\": " + std::to_string(s.gain);
+  if (feedback) ports += ", \"feedback\": " + std::to_string(s.feedback);
+  return ports;
+}
+
+enum class Kind { kFbm, kTurbulence, kBillow, kRidged };
+
+double Fold(Kind kind, double noise) {
+  const double folded = std::fabs(2 * noise - 1);
+  return kind == Kind::kFbm ? noise : kind == Kind::kRidged ? std::pow(1 - folded, 2) : folded;
+}
+
+// The definition: octave i weighs gain^i, and follows the one before.
+double Fractal(Kind kind, const Place& uv, const Settings& s) {
+  double sum = 0, weights = 0, carry = 1;
+  const bool follows = kind == Kind::kBillow || kind == Kind::kRidged;
+  for (int i = 0; i < s.octaves; ++i) {
+    Place p = uv;
+    for (double& x : p) x = x * s.scale * std::pow(s.lacunarity, i) + 37.7 * i;
+    const double octave = Fold(kind, NoiseAt(Noise::kGradient, p, 5)) * carry;
+    sum += std::pow(s.gain, i) * octave;
+    weights += std::pow(s.gain, i);
+    if (follows) carry = 1 - s.feedback + s.feedback * octave;
+  }
+  return sum / weights;
+}
+
+struct Case {
+  const char* block;
+  Kind kind;
+};
+
+class FractalTest : public testing::TestWithParam<Case> {
+ protected:
+  std::string Node(const Settings& s, const std::string& noise = "n") const {
+    const Kind kind = GetParam().kind;
+    return R"("f": {"block": ")" + std::string(GetParam().block) + R"(", "in": {"noise": ")" +
+           noise + "\", " + Ports(s, kind == Kind::kBillow || kind == Kind::kRidged);
+  }
+};
+
+TEST_P(FractalTest, IsTheSumOfItsOctaves) {
+  const std::vector<Point> points = Scatter(300);
+  for (double gain : {0.6, 1.0}) {
+    Settings settings;
+    settings.gain = gain;
+    const Values seen =
+        RunNodes(kPerlin + Node(settings) + "}}", R"("height": "f")", points, 1e-5, 2e-3);
+    for (size_t i = 0; i < points.size(); ++i) {
+      EXPECT_NEAR(seen.Float(i), Fractal(GetParam().kind, {points[i].x, points[i].y}, settings),
+                  1e-3);
+    }
+  }
+}
+
+TEST_P(FractalTest, InSpaceLikewise) {
+  const std::vector<Point> points = Scatter(200);
+  const Values seen = RunNodes(kSpace + Node({}, "perlin") + R"(, "uv": "p"}})", R"("height": "f")",
+                               points, 1e-5, 2e-3);
+  for (size_t i = 0; i < points.size(); ++i) {
+    EXPECT_NEAR(seen.Float(i), Fractal(GetParam().kind, {points[i].x, points[i].y, 0.3}, {}), 1e-3);
+  }
+}
+
+// Octave by octave the mean stays, from pixels of no size to pixels of many cells; in the end it is
+// all there is.
+TEST_P(FractalTest, GoesToItsMeanWithoutADetour) {
+  const std::vector<Point> points = Scatter(4000);
+  Settings settings;
+  settings.scale = 16;
+  settings.lacunarity = 2;
+  const Kind kind = GetParam().kind;
+  // Of independent octaves, the mean of the product is the product of the means.
+  const double fold = kind == Kind::kFbm ? 0.5 : kind == Kind::kRidged ? 0.571 : 0.269;
+  const bool follows = kind == Kind::kBillow || kind == Kind::kRidged;
+  double mean = 0, weights = 0, carry = 1;
+  for (int i = 0; i < settings.octaves; ++i) {
+    mean += std::pow(settings.gain, i) * fold * carry;
+    weights += std::pow(settings.gain, i);
+    if (follows) carry = 1 - settings.feedback + settings.feedback * fold * carry;
+  }
+  mean /= weights;
+  double last = 1;
+  for (double pixel : {1e-5, 0.003, 0.006, 0.012, 0.02, 0.03, 0.045, 0.0625, 1.0}) {
+    const Values seen =
+        RunNodes(kPerlin + Node(settings) + "}}", R"("height": "f")", points, pixel, 2e-3);
+    double sum = 0, squares = 0;
+    for (size_t i = 0; i < points.size(); ++i) {
+      sum += seen.Float(i);
+      squares += std::pow(seen.Float(i) - mean, 2);
+    }
+    const double count = static_cast<double>(points.size());
+    // Four standard deviations, and what the block's `far` is rounded by.
+    EXPECT_NEAR(sum / count, mean, 4 * std::sqrt(squares) / count + 0.0006) << pixel;
+    const double deviation = std::sqrt(squares / count);
+    EXPECT_LE(deviation, last + 0.002) << pixel;
+    last = deviation;
+  }
+  EXPECT_LT(last, 1e-3);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, FractalTest,
+                         testing::Values(Case{"fbm", Kind::kFbm},
+                                         Case{"turbulence", Kind::kTurbulence},
+                                         Case{"billow", Kind::kBillow},
+                                         Case{"ridged", Kind::kRidged}),
+                         [](const auto& test) { return std::string(test.param.block); });
+
+// The figures that the texts of turbulence, billow and ridged give for the noises.
+TEST(FoldedNoiseTest, HasTheMeansOfTheTexts) {
+  const struct {
+    Noise noise;
+    double folded[2], ridge[2];
+  } kWanted[] = {{Noise::kValue, {0.378, 0.330}, {0.448, 0.500}},
+                 {Noise::kGradient, {0.269, 0.196}, {0.571, 0.665}},
+                 {Noise::kSimplex, {0.391, 0.220}, {0.423, 0.637}}};
+  constexpr int kCount = 60000;
+  for (const auto& wanted : kWanted) {
+    for (size_t dimensions : {2, 3}) {
+      double folded = 0, ridge = 0;
+      for (int i = 0; i < kCount; ++i) {
+        Place p = {std::fmod(0.8191725134 * i, 1) * 1000, std::fmod(0.6710436067 * i, 1) * 1000,
+                   std::fmod(0.5497004779 * i, 1) * 1000};
+        p.resize(dimensions);
+        const double noise = NoiseAt(wanted.noise, p, 1);
+        folded += Fold(Kind::kTurbulence, noise) / kCount;
+        ridge += Fold(Kind::kRidged, noise) / kCount;
+      }
+      // Four standard deviations of 60,000 numbers, which deviate by at most 0.3.
+      EXPECT_NEAR(folded, wanted.folded[dimensions - 2], 0.005);
+      EXPECT_NEAR(ridge, wanted.ridge[dimensions - 2], 0.005);
+    }
+  }
+}
+
+// A function of the graph learns the octave.
+TEST(FbmTest, TellsTheOctave) {
+  const std::string graph = R"({"texgraph": 1,
+    "functions": {"third": {"inputs": {"octave": "int"}, "nodes": {
+        "is": {"block": "compare", "in": {"a": "octave", "b": 2, "relation": "equal"}},
+        "n": {"block": "select", "in": {"condition": "is", "if_true": 1.0, "if_false": 0.5}}},
+      "outputs": {"value": "n"}}},
+    "nodes": {"f": {"block": "fbm", "in": {"noise": "third", "octaves": 3}}},
+    "outputs": {"height": "f"}})";
+  auto outputs = RunGraph(graph, {{0.3, 0.4}}, {1e-5, 1e-5});
+  ASSERT_EQ(outputs.size(), 1u);
+  // Weights 4/7, 2/7 and 1/7.
+  EXPECT_NEAR(outputs["height"].Float(0), 0.5 + 0.5 / 7, 1e-6);
+}
+
+// A period of the noise is one of the sum.
+TEST(FbmTest, OfATileIsATile) {
+  const std::string nodes = R"("n": {"block": "value_noise", "in": {"scale": 1, "period": [4, 8]}},
+      "f": {"block": "fbm", "in": {"noise": "n", "scale": [4, 8], "octaves": 3}})";
+  std::vector<Point> here = Scatter(200), there = here;
+  for (size_t i = 0; i < here.size(); ++i) {
+    here[i] = {std::round(here[i].x * 64) / 64, std::round(here[i].y * 64) / 64};
+    there[i] = {here[i].x + 2, here[i].y - 1};
+  }
+  const Values a = RunNodes(nodes, R"("height": "f")", here, 1e-5);
+  const Values b = RunNodes(nodes, R"("height": "f")", there, 1e-5);
+  for (size_t i = 0; i < here.size(); ++i) EXPECT_NEAR(a.Float(i), b.Float(i), 1e-4);
+}
+
+TEST(DomainWarpTest, MovesBothDirectionsByNoisesOfTheirOwn) {
+  const std::vector<Point> points = Scatter(200);
+  const Values seen = RunNodes(std::string(kPerlin) + R"("w": {"block": "domain_warp", "in":
+          {"noise": "n", "amount": [0.3, 0.2], "steps": 2}},
+          "parts": {"block": "components", "in": {"vector": "w"}},
+          "color": {"block": "combine4", "in": {"x": "parts.x", "y": "parts.y", "z": 0, "w": 1}})",
+                               R"("color": "color")", points, 1e-5);
+  for (size_t i = 0; i < points.size(); ++i) {
+    Place place = {points[i].x, points[i].y};
+    for (int step = 0; step < 2; ++step) {
+      const double x = NoiseAt(Noise::kGradient, place, 5);
+      const double y = NoiseAt(Noise::kGradient, {place[0] + 37.7, place[1] + 37.7}, 5);
+      place = {points[i].x + 0.3 * (2 * x - 1), points[i].y + 0.2 * (2 * y - 1)};
+    }
+    EXPECT_NEAR(seen.Float(i, 0), place[0], 1e-4);
+    EXPECT_NEAR(seen.Float(i, 1), place[1], 1e-4);
+  }
+}
+
+// Around the height sin x sin y the flow is (sin x cos y, -cos x sin y).
+TEST(CurlTest, TurnsTheSlope) {
+  const std::vector<Point> points = Scatter(100);
+  const std::string nodes = R"("parts": {"block": "components", "in": {"vector": "uv"}},
+      "sx": {"block": "sine", "in": {"angle": "parts.x"}},
+      "sy": {"block": "sine", "in": {"angle": "parts.y"}},
+      "h": {"block": "multiply", "in": {"a": "sx", "b": "sy"}},
+      "v": {"block": "curl", "in": {"potential": "h"}},
+      "flow": {"block": "components", "in": {"vector": "v"}},
+      "color": {"block": "combine4", "in": {"x": "flow.x", "y": "flow.y", "z": 0, "w": 1}})";
+  const Values seen = RunNodes(nodes, R"("color": "color")", points, 1e-4, 2e-3);
+  for (size_t i = 0; i < points.size(); ++i) {
+    EXPECT_NEAR(seen.Float(i, 0), std::sin(points[i].x) * std::cos(points[i].y), 1e-3);
+    EXPECT_NEAR(seen.Float(i, 1), -std::cos(points[i].x) * std::sin(points[i].y), 1e-3);
+  }
+}
+
+// Of the potential (sin y, sin z, sin x) the flow is (-cos z, -cos x, -cos y).
+TEST(CurlTest, InSpace) {
+  const std::vector<Point> points = Scatter(100);
+  const std::string nodes = R"("parts": {"block": "components", "in": {"vector": "uv"}},
+      "p": {"block": "combine3", "in": {"x": "parts.x", "y": "parts.y", "z": 0.3}},
+      "v": {"block": "curl3", "in": {"potential": "potential", "uv": "p"}})";
+  auto outputs = RunGraph(R"({"texgraph": 1, "functions": {"potential": {
+        "inputs": {"uv": "vec3"}, "nodes": {
+          "c": {"block": "components", "in": {"vector": "uv"}},
+          "t": {"block": "combine3", "in": {"x": "c.y", "y": "c.z", "z": "c.x"}},
+          "s": {"block": "sine", "in": {"angle": "t"}}},
+        "outputs": {"value": "s"}}}, "nodes": {)" +
+                              nodes + R"(}, "outputs": {"normal": "v"}})",
+                          points, {1e-4, 1e-4}, 2e-3);
+  ASSERT_EQ(outputs.size(), 1u);
+  for (size_t i = 0; i < points.size(); ++i) {
+    EXPECT_NEAR(outputs["normal"].Float(i, 0), -std::cos(0.3), 1e-3);
+    EXPECT_NEAR(outputs["normal"].Float(i, 1), -std::cos(points[i].x), 1e-3);
+    EXPECT_NEAR(outputs["normal"].Float(i, 2), -std::cos(points[i].y), 1e-3);
+  }
+}
+
+TEST(WidestTest, IsTheGreatestComponent) {
+  EXPECT_EQ(RunBlock("widest", {{"value", Floats({-3})}})["result"].Float(0), -3);
+  for (size_t n = 2; n <= 4; ++n) {
+    for (size_t k = 0; k < n; ++k) {
+      Vector value(n, 1);
+      value[k] = 2;
+      EXPECT_EQ(RunBlock("widest", {{"value", Vectors({value})}})["result"].Float(0), 2);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace texgraph::blocks
