@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 # The files of the block library, sorted by path. A file that is not here is not part of the program.
 set(TEXGRAPH_STDLIB_BLOCKS
+  cellular/smooth_voronoi.glsl
+  cellular/smooth_voronoi_mean.glsl
+  cellular/voronoi.glsl
+  cellular/voronoi_means.glsl
   channels/channel.glsl
   channels/combine2.glsl
   channels/combine3.glsl

@@ -33,6 +33,13 @@ const int SPREAD_PAD = 0;
 const int SPREAD_REPEAT = 1;
 const int SPREAD_REFLECT = 2;
 
+// How far two points are from each other: along a straight line; the sum, or the greatest, of the
+// components; or the root of the sum of their powers, for an exponent between these.
+const int METRIC_EUCLIDEAN = 0;
+const int METRIC_MANHATTAN = 1;
+const int METRIC_CHEBYSHEV = 2;
+const int METRIC_MINKOWSKI = 3;
+
 /// One tile of a tiling, as seen from one point: what a block needs to draw something else in every
 /// tile.
 ///
