@@ -2,13 +2,13 @@
 /// Fractal Brownian motion: the same noise again and again, each time finer and weaker, as in
 /// clouds, coasts and hills.
 /// The sum's weights are 1 together, so the result stays in the noise's range and has its mean.
-/// Each octave is the noise at another place, so that they have nothing in common. Octaves whose
-/// cells are smaller than a pixel are not computed; before that the noise fades by itself, as those
-/// of the library do. If the noise has a period, and `lacunarity` is a whole number, so has the
-/// result.
+/// Each octave is the noise at another place, so that they have nothing in common. Each has faded
+/// where its cells are no larger than pixels, from two pixels on; it is not computed beyond. If the
+/// noise has a period, and `lacunarity` is a whole number, so has the result.
 /// @source Musgrave, in Ebert et al., Texturing and Modeling, 3rd edition, chapter 16, "fBm"
 /// @param noise the noise, from 0 to 1 with the mean 0.5; with one cell for each unit, that is, at
-///   its `scale` of 1. A function of the graph may take `octave` as well, as a seed for example
+///   its `scale` of 1, and best not `filtered`. A function of the graph may take `octave` as well,
+///   as a seed for example
 /// @param uv coordinate @default uv
 /// @param scale cells of the first octave for each unit of the coordinate @default 8
 /// @param octaves how many times the noise is added @default 5 @range 1 16
@@ -25,8 +25,9 @@ float fbm(genType uv, genType scale, const int octaves, const float lacunarity, 
   float shift = 0.0;
   float sum = 0.5;
   for (int octave = 0; octave < octaves; ++octave) {
-    if (width * frequency < 1.0) {
-      sum += weight * (noise(p * frequency + shift, octave) - 0.5);
+    float near = min(2.0 - 2.0 * width * frequency, 1.0);
+    if (near > 0.0) {
+      sum += weight * near * (noise(p * frequency + shift, octave) - 0.5);
     }
     frequency *= lacunarity;
     weight *= gain;

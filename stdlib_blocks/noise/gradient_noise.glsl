@@ -26,9 +26,12 @@ vec2 rise(vec4 corners, vec2 fade) {
 /// @param seed another seed gives another pattern @default 0
 /// @param period after how many cells the pattern repeats in each direction; 0 never
 ///   @default ivec2(0) @range 0 16777216
+/// @param filtered whether it fades to its mean; false beneath a fractal, which does that itself
+///   @default true
 /// @param gradient how much the result changes for each unit of the coordinate, in each direction
 /// @return from 0 to 1, with the mean 0.5
-float gradient_noise(vec2 uv, vec2 scale, int seed, const ivec2 period, out vec2 gradient) {
+float gradient_noise(vec2 uv, vec2 scale, int seed, const ivec2 period, const bool filtered,
+                     out vec2 gradient) {
   // Half of one over the greatest sum that any slopes give: 0.5353, at (0.5, 0.35). In one
   // dimension it is 0.5, in three 0.5629, and 1.5366 in four.
   const float AMPLITUDE = 0.9340967;
@@ -45,7 +48,7 @@ float gradient_noise(vec2 uv, vec2 scale, int seed, const ivec2 period, out vec2
   vec2 u = t - 1.0;
   vec4 corners = x * vec2(t.x, u.x).xyxy + y * vec2(t.y, u.y).xxyy;
   vec2 width = footprint(uv) * abs(scale);
-  float blur = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
+  float blur = filtered ? clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0) : 0.0;
   float amplitude = AMPLITUDE * (1.0 - blur);
   vec2 slope = vec2(across(x, fade), across(y, fade)) + rise(corners, fade) * fade_slope(t);
   gradient = slope * scale * amplitude;
@@ -56,9 +59,12 @@ float gradient_noise(vec2 uv, vec2 scale, int seed, const ivec2 period, out vec2
 /// @param scale cells for each unit of the coordinate @default 8
 /// @param seed another seed gives another pattern @default 0
 /// @param period after how many cells the pattern repeats; 0 never @default 0 @range 0 16777216
+/// @param filtered whether it fades to its mean; false beneath a fractal, which does that itself
+///   @default true
 /// @param gradient how much the result changes for each unit of the coordinate
 /// @return from 0 to 1, with the mean 0.5
-float gradient_noise(float uv, float scale, int seed, const int period, out float gradient) {
+float gradient_noise(float uv, float scale, int seed, const int period, const bool filtered,
+                     out float gradient) {
   float p = uv * scale;
   float base = floor(p);
   float t = p - base;
@@ -66,7 +72,8 @@ float gradient_noise(float uv, float scale, int seed, const int period, out floa
   uvec2 cells = lattice_cells(uint(int(base)), period);
   vec2 slopes = vec2(ivec2(hash(cells + hash(uint(seed))))) * 4.656612873077393e-10;
   vec2 ends = slopes * vec2(t, t - 1.0);
-  float amplitude = 1.0 - clamp(2.0 * footprint(uv) * abs(scale) - 1.0, 0.0, 1.0);
+  float blur = filtered ? clamp(2.0 * footprint(uv) * abs(scale) - 1.0, 0.0, 1.0) : 0.0;
+  float amplitude = 1.0 - blur;
   float slope = mix(slopes.x, slopes.y, fade) + (ends.y - ends.x) * fade_slope(t);
   gradient = slope * scale * amplitude;
   return mix(ends.x, ends.y, fade) * amplitude + 0.5;
@@ -77,9 +84,12 @@ float gradient_noise(float uv, float scale, int seed, const int period, out floa
 /// @param seed another seed gives another pattern @default 0
 /// @param period after how many cells the pattern repeats in each direction; 0 never
 ///   @default ivec3(0) @range 0 16777216
+/// @param filtered whether it fades to its mean; false beneath a fractal, which does that itself
+///   @default true
 /// @param gradient how much the result changes for each unit of the coordinate, in each direction
 /// @return from 0 to 1, with the mean 0.5
-float gradient_noise(vec3 uv, vec3 scale, int seed, const ivec3 period, out vec3 gradient) {
+float gradient_noise(vec3 uv, vec3 scale, int seed, const ivec3 period, const bool filtered,
+                     out vec3 gradient) {
   const float AMPLITUDE = 0.8882547;
   vec3 p = uv * scale;
   vec3 base = floor(p);
@@ -104,7 +114,7 @@ float gradient_noise(vec3 uv, vec3 scale, int seed, const ivec3 period, out vec3
   vec4 back = x1 * tx + y1 * ty + z1 * u.z;
   vec4 face = mix(front, back, fade.z);
   vec3 width = footprint(uv) * abs(scale);
-  float blur = clamp(2.0 * max(max(width.x, width.y), width.z) - 1.0, 0.0, 1.0);
+  float blur = filtered ? clamp(2.0 * max(max(width.x, width.y), width.z) - 1.0, 0.0, 1.0) : 0.0;
   float amplitude = AMPLITUDE * (1.0 - blur);
   vec3 slope = vec3(across(mix(x0, x1, fade.z), fade.xy), across(mix(y0, y1, fade.z), fade.xy),
                     across(mix(z0, z1, fade.z), fade.xy));
@@ -126,9 +136,12 @@ vec4 square(uvec4 bits, vec4 tx, vec4 ty, float tz, float tw, out vec4 x, out ve
 /// @param seed another seed gives another pattern @default 0
 /// @param period after how many cells the pattern repeats in each direction; 0 never
 ///   @default ivec4(0) @range 0 16777216
+/// @param filtered whether it fades to its mean; false beneath a fractal, which does that itself
+///   @default true
 /// @param gradient how much the result changes for each unit of the coordinate, in each direction
 /// @return from 0 to 1, with the mean 0.5
-float gradient_noise(vec4 uv, vec4 scale, int seed, const ivec4 period, out vec4 gradient) {
+float gradient_noise(vec4 uv, vec4 scale, int seed, const ivec4 period, const bool filtered,
+                     out vec4 gradient) {
   const float AMPLITUDE = 0.3253974;
   vec4 p = uv * scale;
   vec4 base = floor(p);
@@ -169,7 +182,8 @@ float gradient_noise(vec4 uv, vec4 scale, int seed, const ivec4 period, out vec4
   vec4 face = mix(front, back, fade.z);
   vec4 width = footprint(uv) * abs(scale);
   float widest = max(max(width.x, width.y), max(width.z, width.w));
-  float amplitude = AMPLITUDE * (1.0 - clamp(2.0 * widest - 1.0, 0.0, 1.0));
+  float blur = filtered ? clamp(2.0 * widest - 1.0, 0.0, 1.0) : 0.0;
+  float amplitude = AMPLITUDE * (1.0 - blur);
   vec4 slope = vec4(across(mix(mix(x0, x2, fade.w), mix(x1, x3, fade.w), fade.z), fade.xy),
                     across(mix(mix(y0, y2, fade.w), mix(y1, y3, fade.w), fade.z), fade.xy),
                     across(mix(mix(z0, z2, fade.w), mix(z1, z3, fade.w), fade.z), fade.xy),

@@ -11,9 +11,11 @@
 /// @param uv coordinate @default uv
 /// @param scale cells for each unit of the coordinate @default vec2(8)
 /// @param seed another seed gives another pattern @default 0
+/// @param filtered whether it fades to its mean; false beneath a fractal, which does that itself
+///   @default true
 /// @param gradient how much the result changes for each unit of the coordinate, in each direction
 /// @return from 0 to 1, with the mean 0.5
-float simplex_noise(vec2 uv, vec2 scale, int seed, out vec2 gradient) {
+float simplex_noise(vec2 uv, vec2 scale, int seed, const bool filtered, out vec2 gradient) {
   // (sqrt(3) - 1) / 2 and (3 - sqrt(3)) / 6 skew the grid and back.
   const float SKEW = 0.36602540378443865;
   const float BACK = 0.21132486540518713;
@@ -42,7 +44,8 @@ float simplex_noise(vec2 uv, vec2 scale, int seed, out vec2 gradient) {
   vec3 along = x.xyz * dx + y.xyz * dy;
   vec3 fall = -8.0 * r2 * r * along;
   vec2 width = footprint(uv) * abs(scale);
-  float amplitude = AMPLITUDE * (1.0 - clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0));
+  float blur = filtered ? clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0) : 0.0;
+  float amplitude = AMPLITUDE * (1.0 - blur);
   vec2 slope = vec2(dot(reach, x.xyz) + dot(fall, dx), dot(reach, y.xyz) + dot(fall, dy));
   gradient = slope * scale * amplitude;
   return dot(reach, along) * amplitude + 0.5;
@@ -51,9 +54,11 @@ float simplex_noise(vec2 uv, vec2 scale, int seed, out vec2 gradient) {
 /// @param uv coordinate
 /// @param scale cells for each unit of the coordinate @default 8
 /// @param seed another seed gives another pattern @default 0
+/// @param filtered whether it fades to its mean; false beneath a fractal, which does that itself
+///   @default true
 /// @param gradient how much the result changes for each unit of the coordinate
 /// @return from 0 to 1, with the mean 0.5
-float simplex_noise(float uv, float scale, int seed, out float gradient) {
+float simplex_noise(float uv, float scale, int seed, const bool filtered, out float gradient) {
   const float AMPLITUDE = 1.580246;
   float p = uv * scale;
   float base = floor(p);
@@ -63,7 +68,8 @@ float simplex_noise(float uv, float scale, int seed, out float gradient) {
   vec2 d = p - base - vec2(0.0, 1.0);
   vec2 r = 1.0 - d * d;
   vec2 r2 = r * r;
-  float amplitude = AMPLITUDE * (1.0 - clamp(2.0 * footprint(uv) * abs(scale) - 1.0, 0.0, 1.0));
+  float blur = filtered ? clamp(2.0 * footprint(uv) * abs(scale) - 1.0, 0.0, 1.0) : 0.0;
+  float amplitude = AMPLITUDE * (1.0 - blur);
   gradient = dot(r2 * x, r2 - 8.0 * r * d * d) * scale * amplitude;
   return dot(r2 * r2, x * d) * amplitude + 0.5;
 }
@@ -71,9 +77,11 @@ float simplex_noise(float uv, float scale, int seed, out float gradient) {
 /// @param uv coordinate @default position
 /// @param scale cells for each unit of the coordinate @default vec3(8)
 /// @param seed another seed gives another pattern @default 0
+/// @param filtered whether it fades to its mean; false beneath a fractal, which does that itself
+///   @default true
 /// @param gradient how much the result changes for each unit of the coordinate, in each direction
 /// @return from 0 to 1, with the mean 0.5
-float simplex_noise(vec3 uv, vec3 scale, int seed, out vec3 gradient) {
+float simplex_noise(vec3 uv, vec3 scale, int seed, const bool filtered, out vec3 gradient) {
   const float AMPLITUDE = 54.11245;
   vec3 p = uv * scale;
   vec3 base = floor(p + (p.x + p.y + p.z) / 3.0);
@@ -106,7 +114,7 @@ float simplex_noise(vec3 uv, vec3 scale, int seed, out vec3 gradient) {
   vec4 along = x * dx + y * dy + z * dz;
   vec4 fall = -8.0 * r2 * r * along;
   vec3 width = footprint(uv) * abs(scale);
-  float blur = clamp(2.0 * max(max(width.x, width.y), width.z) - 1.0, 0.0, 1.0);
+  float blur = filtered ? clamp(2.0 * max(max(width.x, width.y), width.z) - 1.0, 0.0, 1.0) : 0.0;
   float amplitude = AMPLITUDE * (1.0 - blur);
   vec3 slope = vec3(dot(reach, x) + dot(fall, dx), dot(reach, y) + dot(fall, dy),
                     dot(reach, z) + dot(fall, dz));
@@ -117,9 +125,11 @@ float simplex_noise(vec3 uv, vec3 scale, int seed, out vec3 gradient) {
 /// @param uv coordinate
 /// @param scale cells for each unit of the coordinate @default vec4(8)
 /// @param seed another seed gives another pattern @default 0
+/// @param filtered whether it fades to its mean; false beneath a fractal, which does that itself
+///   @default true
 /// @param gradient how much the result changes for each unit of the coordinate, in each direction
 /// @return from 0 to 1, with the mean 0.5
-float simplex_noise(vec4 uv, vec4 scale, int seed, out vec4 gradient) {
+float simplex_noise(vec4 uv, vec4 scale, int seed, const bool filtered, out vec4 gradient) {
   // (sqrt(5) - 1) / 4 and (5 - sqrt(5)) / 20.
   const float SKEW = 0.30901699437494745;
   const float BACK = 0.13819660112501053;
@@ -176,7 +186,8 @@ float simplex_noise(vec4 uv, vec4 scale, int seed, out vec4 gradient) {
   vec4 fall = -8.0 * r2 * r * along;
   vec4 width = footprint(uv) * abs(scale);
   float widest = max(max(width.x, width.y), max(width.z, width.w));
-  float amplitude = AMPLITUDE * (1.0 - clamp(2.0 * widest - 1.0, 0.0, 1.0));
+  float blur = filtered ? clamp(2.0 * widest - 1.0, 0.0, 1.0) : 0.0;
+  float amplitude = AMPLITUDE * (1.0 - blur);
   vec4 slope = vec4(dot(reach, x) + dot(fall, dx), dot(reach, y) + dot(fall, dy),
                     dot(reach, z) + dot(fall, dz), dot(reach, w) + dot(fall, dw));
   slope += reach5 * last - 8.0 * r5 * r5 * r5 * along5 * e;

@@ -6,7 +6,8 @@
 /// computed.
 /// @source Perlin, An Image Synthesizer, SIGGRAPH 1985, "turbulence"
 /// @param noise the noise, from 0 to 1 with the mean 0.5; with one cell for each unit, that is, at
-///   its `scale` of 1. A function of the graph may take `octave` as well, as a seed for example
+///   its `scale` of 1, and best not `filtered`. A function of the graph may take `octave` as well,
+///   as a seed for example
 /// @param uv coordinate @default uv
 /// @param scale cells of the first octave for each unit of the coordinate @default 8
 /// @param octaves how many times the noise is added @default 5 @range 1 16

@@ -24,9 +24,12 @@ vec4 unit(uvec4 bits) { return vec4(bits >> 8u) * 5.9604644775390625e-8; }
 /// @param seed another seed gives another pattern @default 0
 /// @param period after how many cells the pattern repeats in each direction; 0 never
 ///   @default ivec2(0) @range 0 16777216
+/// @param filtered whether it fades to its mean; false beneath a fractal, which does that itself
+///   @default true
 /// @param gradient how much the result changes for each unit of the coordinate, in each direction
 /// @return from 0 to 1
-float value_noise(vec2 uv, vec2 scale, int seed, const ivec2 period, out vec2 gradient) {
+float value_noise(vec2 uv, vec2 scale, int seed, const ivec2 period, const bool filtered,
+                  out vec2 gradient) {
   vec2 p = uv * scale;
   vec2 base = floor(p);
   vec2 t = p - base;
@@ -38,7 +41,7 @@ float value_noise(vec2 uv, vec2 scale, int seed, const ivec2 period, out vec2 gr
   float low = mix(corners.x, corners.y, fade.x);
   float high = mix(corners.z, corners.w, fade.x);
   vec2 width = footprint(uv) * abs(scale);
-  float blur = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
+  float blur = filtered ? clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0) : 0.0;
   vec2 rise = vec2(mix(corners.y - corners.x, corners.w - corners.z, fade.y), high - low);
   gradient = rise * fade_slope(t) * scale * (1.0 - blur);
   return mix(mix(low, high, fade.y), 0.5, blur);
@@ -48,16 +51,19 @@ float value_noise(vec2 uv, vec2 scale, int seed, const ivec2 period, out vec2 gr
 /// @param scale cells for each unit of the coordinate @default 8
 /// @param seed another seed gives another pattern @default 0
 /// @param period after how many cells the pattern repeats; 0 never @default 0 @range 0 16777216
+/// @param filtered whether it fades to its mean; false beneath a fractal, which does that itself
+///   @default true
 /// @param gradient how much the result changes for each unit of the coordinate
 /// @return from 0 to 1
-float value_noise(float uv, float scale, int seed, const int period, out float gradient) {
+float value_noise(float uv, float scale, int seed, const int period, const bool filtered,
+                  out float gradient) {
   float p = uv * scale;
   float base = floor(p);
   float t = p - base;
   float fade = t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
   uvec2 columns = lattice_cells(uint(int(base)), period);
   vec2 ends = vec2(hash(columns + hash(uint(seed))) >> 8u) * 5.9604644775390625e-8;
-  float blur = clamp(2.0 * footprint(uv) * abs(scale) - 1.0, 0.0, 1.0);
+  float blur = filtered ? clamp(2.0 * footprint(uv) * abs(scale) - 1.0, 0.0, 1.0) : 0.0;
   gradient = (ends.y - ends.x) * fade_slope(t) * scale * (1.0 - blur);
   return mix(mix(ends.x, ends.y, fade), 0.5, blur);
 }
@@ -67,9 +73,12 @@ float value_noise(float uv, float scale, int seed, const int period, out float g
 /// @param seed another seed gives another pattern @default 0
 /// @param period after how many cells the pattern repeats in each direction; 0 never
 ///   @default ivec3(0) @range 0 16777216
+/// @param filtered whether it fades to its mean; false beneath a fractal, which does that itself
+///   @default true
 /// @param gradient how much the result changes for each unit of the coordinate, in each direction
 /// @return from 0 to 1
-float value_noise(vec3 uv, vec3 scale, int seed, const ivec3 period, out vec3 gradient) {
+float value_noise(vec3 uv, vec3 scale, int seed, const ivec3 period, const bool filtered,
+                  out vec3 gradient) {
   vec3 p = uv * scale;
   vec3 base = floor(p);
   vec3 t = p - base;
@@ -81,7 +90,7 @@ float value_noise(vec3 uv, vec3 scale, int seed, const ivec3 period, out vec3 gr
   vec4 front = unit(hash(columns + rows.xxyy));
   vec4 back = unit(hash(columns + rows.zzww));
   vec3 width = footprint(uv) * abs(scale);
-  float blur = clamp(2.0 * max(max(width.x, width.y), width.z) - 1.0, 0.0, 1.0);
+  float blur = filtered ? clamp(2.0 * max(max(width.x, width.y), width.z) - 1.0, 0.0, 1.0) : 0.0;
   vec4 face = mix(front, back, fade.z);
   vec3 rise = vec3(mix(face.y - face.x, face.w - face.z, fade.y),
                    mix(face.z - face.x, face.w - face.y, fade.x), across(back - front, fade.xy));
@@ -94,9 +103,12 @@ float value_noise(vec3 uv, vec3 scale, int seed, const ivec3 period, out vec3 gr
 /// @param seed another seed gives another pattern @default 0
 /// @param period after how many cells the pattern repeats in each direction; 0 never
 ///   @default ivec4(0) @range 0 16777216
+/// @param filtered whether it fades to its mean; false beneath a fractal, which does that itself
+///   @default true
 /// @param gradient how much the result changes for each unit of the coordinate, in each direction
 /// @return from 0 to 1
-float value_noise(vec4 uv, vec4 scale, int seed, const ivec4 period, out vec4 gradient) {
+float value_noise(vec4 uv, vec4 scale, int seed, const ivec4 period, const bool filtered,
+                  out vec4 gradient) {
   vec4 p = uv * scale;
   vec4 base = floor(p);
   vec4 t = p - base;
@@ -114,7 +126,7 @@ float value_noise(vec4 uv, vec4 scale, int seed, const ivec4 period, out vec4 gr
   vec4 far_back = unit(hash(columns + far.zzww));
   vec4 width = footprint(uv) * abs(scale);
   float widest = max(max(width.x, width.y), max(width.z, width.w));
-  float blur = clamp(2.0 * widest - 1.0, 0.0, 1.0);
+  float blur = filtered ? clamp(2.0 * widest - 1.0, 0.0, 1.0) : 0.0;
   vec4 front = mix(near_front, far_front, fade.w);
   vec4 back = mix(near_back, far_back, fade.w);
   vec4 face = mix(front, back, fade.z);

@@ -6,6 +6,7 @@
 
 #include "compiler/base/files.h"
 #include "compiler/compile.h"
+#include "compiler/spirv/compile_spirv.h"
 #include "tests/bench/spirv_weight.h"
 
 namespace texgraph::bench {
@@ -46,6 +47,33 @@ INSTANTIATE_TEST_SUITE_P(PaperTable, WeightTest,
                                          Promise{"dithered_areas_tiling", 3, 70},
                                          Promise{"transition_tiling", 7, 256}),
                          [](const auto& promise) { return std::string(promise.param.graph); });
+
+// Five octaves of gradient noise, through a function port and any fractal's settings, against the
+// shader that a person wrote for them.
+TEST(Weight, FbmIsNotHeavierThanByHand) {
+  Sources sources;
+  Diagnostics diagnostics;
+  const std::string graph = R"({"texgraph": 1, "nodes": {
+      "perlin": {"block": "gradient_noise", "in": {"scale": 1, "filtered": false}},
+      "clouds": {"block": "fbm", "in": {"noise": "perlin", "scale": 8, "octaves": 5}},
+      "grey": {"block": "combine4", "in": {"x": "clouds", "y": "clouds", "z": "clouds", "w": 1}}},
+    "outputs": {"color": "grey"}})";
+  CompileOptions options;
+  options.target = Target::kSpirv;
+  auto compiled = Compile(sources.Add("g.json", graph), graph::DocumentFormat::kJson, options,
+                          sources, diagnostics);
+  ASSERT_TRUE(compiled) << FormatDiagnostics(diagnostics, sources, false);
+  auto text = ReadFile(std::string(TEXGRAPH_SOURCE_DIR) + "/tests/bench/reference/fbm.frag",
+                       1 << 20, {}, diagnostics);
+  ASSERT_TRUE(text);
+  auto reference = spirv::CompileSpirv(*text, diagnostics);
+  ASSERT_TRUE(reference) << FormatDiagnostics(diagnostics, sources, false);
+  auto ours = WeightOf(compiled->spirv), theirs = WeightOf(*reference);
+  ASSERT_TRUE(ours && theirs);
+  EXPECT_LE(ours->computing, 1.05 * theirs->computing);
+  RecordProperty("computing", ours->computing);
+  RecordProperty("reference", theirs->computing);
+}
 
 // What counts and what does not, by a shader whose operations are known.
 TEST(Weight, CountsWhatComputes) {

@@ -43,6 +43,8 @@ Values RunNodes(const std::string& nodes, const std::string& output,
 }
 
 const char kPerlin[] = R"("n": {"block": "gradient_noise", "in": {"scale": 1, "seed": 5}},)";
+const char kBare[] = R"("n": {"block": "gradient_noise",
+                              "in": {"scale": 1, "seed": 5, "filtered": false}},)";
 
 // The place in the plane that is laid through space, at z = 0.3.
 const char kSpace[] = R"(
@@ -124,12 +126,9 @@ TEST_P(FractalTest, InSpaceLikewise) {
 
 // Octave by octave the mean stays, from pixels of no size to pixels of many cells; in the end it is
 // all there is.
-TEST_P(FractalTest, GoesToItsMeanWithoutADetour) {
+void ExpectMeanAtAllSizes(Kind kind, const std::string& noise, const std::string& node,
+                          const Settings& settings) {
   const std::vector<Point> points = Scatter(4000);
-  Settings settings;
-  settings.scale = 16;
-  settings.lacunarity = 2;
-  const Kind kind = GetParam().kind;
   // Of independent octaves, the mean of the product is the product of the means.
   const double fold = kind == Kind::kFbm ? 0.5 : kind == Kind::kRidged ? 0.571 : 0.269;
   const bool follows = kind == Kind::kBillow || kind == Kind::kRidged;
@@ -142,8 +141,7 @@ TEST_P(FractalTest, GoesToItsMeanWithoutADetour) {
   mean /= weights;
   double last = 1;
   for (double pixel : {1e-5, 0.003, 0.006, 0.012, 0.02, 0.03, 0.045, 0.0625, 1.0}) {
-    const Values seen =
-        RunNodes(kPerlin + Node(settings) + "}}", R"("height": "f")", points, pixel, 2e-3);
+    const Values seen = RunNodes(noise + node + "}}", R"("height": "f")", points, pixel, 2e-3);
     double sum = 0, squares = 0;
     for (size_t i = 0; i < points.size(); ++i) {
       sum += seen.Float(i);
@@ -157,6 +155,14 @@ TEST_P(FractalTest, GoesToItsMeanWithoutADetour) {
     last = deviation;
   }
   EXPECT_LT(last, 1e-3);
+}
+
+TEST_P(FractalTest, GoesToItsMeanWithoutADetour) {
+  Settings settings;
+  settings.scale = 16;
+  settings.lacunarity = 2;
+  ExpectMeanAtAllSizes(GetParam().kind, kPerlin, Node(settings), settings);
+  ExpectMeanAtAllSizes(GetParam().kind, kBare, Node(settings), settings);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, FractalTest,

@@ -42,7 +42,8 @@ Values Place1To4(const std::vector<Place>& places) {
 
 // A block at many places. `pixel` is how much the first coordinate changes to the right.
 Sampled Sample(const std::string& block, const std::vector<Place>& places, const Place& scale,
-               int32_t seed, const std::vector<int64_t>& period = {}, double pixel = 0) {
+               int32_t seed, const std::vector<int64_t>& period = {}, double pixel = 0,
+               bool filtered = true) {
   std::vector<Place> quads;
   for (const Place& place : places) {
     for (int lane = 0; lane < 4; ++lane) {
@@ -52,6 +53,7 @@ Sampled Sample(const std::string& block, const std::vector<Place>& places, const
   }
   std::vector<Argument> arguments = {
       {"uv", Place1To4(quads)}, {"scale", Place1To4({scale})}, {"seed", Ints({seed})}};
+  if (!filtered) arguments.emplace_back("filtered", Bools({false}));
   if (!period.empty()) arguments.emplace_back("period", Int(period));
   auto outputs = RunBlock(block, arguments);
   Sampled sampled;
@@ -172,6 +174,20 @@ TEST_P(NoiseTest, FadesToItsMeanBetweenHalfACellAndOneAPixel) {
           EXPECT_NEAR(seen.gradients[i][k], left * near.gradients[i][k], 1e-4);
         }
       }
+    }
+  }
+}
+
+TEST_P(NoiseTest, StaysWhereItIsNotFiltered) {
+  const Place scale(dimensions_, 4);
+  const std::vector<Place> places = Places(dimensions_, 100, 7);
+  const Sampled seen = Sample(block_, places, scale, 0, {}, 0.25, false);
+  const Sampled near = Sample(block_, places, scale, 0);
+  ASSERT_EQ(seen.values.size(), places.size());
+  for (size_t i = 0; i < places.size(); ++i) {
+    EXPECT_NEAR(seen.values[i], near.values[i], 1e-6);
+    for (size_t k = 0; k < dimensions_; ++k) {
+      EXPECT_NEAR(seen.gradients[i][k], near.gradients[i][k], 1e-5);
     }
   }
 }
