@@ -49,6 +49,10 @@ struct Case {
   double jitter;
 };
 
+void PrintTo(const Case& what, std::ostream* out) {
+  *out << what.metric << ", exponent " << what.exponent << ", jitter " << what.jitter;
+}
+
 struct Errors {
   size_t f1 = 0, f2 = 0, cell = 0, center = 0, border = 0, samples = 0;
 };
@@ -184,6 +188,27 @@ TEST(VoronoiTest, RepeatsAfterItsPeriod) {
   }
 }
 
+TEST(VoronoiTest, RepeatsAfterItsPeriodInSpace) {
+  std::mt19937 random(5);
+  std::vector<Vector> places = Places(4000, 3, 6, random), further = places;
+  for (Vector& place : further) place = {place[0] - 6, place[1] + 5, place[2] + 2};
+  auto run = [&](const std::vector<Vector>& at) {
+    auto arguments = Arguments(at, {"euclidean", 2, 1}, 9, true);
+    Values period = CellsOf({{3, 5}});
+    period.type = ir::kIvec3;
+    period.words.push_back(1);
+    arguments.push_back({"period", period});
+    return RunBlock("voronoi", arguments);
+  };
+  auto here = run(places), there = run(further);
+  ASSERT_FALSE(here.empty() || there.empty());
+  for (size_t i = 0; i < places.size(); ++i) {
+    for (const char* output : {"f1", "f2", "border"}) {
+      ASSERT_NEAR(here[output].Float(i), there[output].Float(i), kRounding) << i;
+    }
+  }
+}
+
 std::map<std::string, Values> AtTime(const std::vector<Vector>& places, double time, int steps) {
   auto arguments = Arguments(places, {"euclidean", 2, 0.1}, 4, true);
   arguments.back() = {"time", Floats({time})};
@@ -218,6 +243,33 @@ TEST(VoronoiTest, PointsMoveWithBoundedSpeedWhereverTheyAre) {
   EXPECT_LE(greatest, 1.5 / 2 * kStep * 0.1 + 1e-5);
   // The mean distance of two random numbers is a third; 3 seconds are one and a half intervals.
   EXPECT_NEAR(way / (2.0 * static_cast<double>(places.size())), 1.5 * 0.1 / 3, 0.005);
+}
+
+TEST(VoronoiTest, InSpaceOverTimeNoDistanceChangesFasterThanThePoints) {
+  std::mt19937 random(8);
+  std::vector<Vector> places = Places(1000, 3, 20, random);
+  auto at = [&](double time) {
+    auto arguments = Arguments(places, {"euclidean", 2, 1}, 4, true);
+    arguments.back() = {"time", Floats({time})};
+    arguments.push_back({"interval", Floats({4})});
+    return RunBlock("voronoi", arguments);
+  };
+  constexpr double kStep = 0.05;
+  auto before = at(-3);
+  double change = 0;
+  for (int step = 1; step <= 100; ++step) {
+    auto after = at(-3 + kStep * step);
+    ASSERT_FALSE(after.empty());
+    for (size_t i = 0; i < places.size(); ++i) {
+      for (const char* output : {"f1", "f2"}) {
+        double moved = std::fabs(after[output].Float(i) - before[output].Float(i));
+        ASSERT_LE(moved, std::sqrt(3.0) * 1.5 / 4 * kStep + 1e-4) << output;
+        change = std::max(change, moved);
+      }
+    }
+    before = after;
+  }
+  EXPECT_GT(change, 0.25 * 1.5 / 4 * kStep);
 }
 
 TEST(VoronoiTest, MovementRepeatsAfterItsSteps) {
