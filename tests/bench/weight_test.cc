@@ -48,31 +48,44 @@ INSTANTIATE_TEST_SUITE_P(PaperTable, WeightTest,
                                          Promise{"transition_tiling", 7, 256}),
                          [](const auto& promise) { return std::string(promise.param.graph); });
 
-// Five octaves of gradient noise, through a function port and any fractal's settings, against the
-// shader that a person wrote for them.
-TEST(Weight, FbmIsNotHeavierThanByHand) {
+// A graph against tests/bench/reference/NAME.frag, which a person wrote for it.
+void ExpectNoHeavierThanByHand(const std::string& graph, const std::string& name) {
   Sources sources;
   Diagnostics diagnostics;
-  const std::string graph = R"({"texgraph": 1, "nodes": {
-      "perlin": {"block": "gradient_noise", "in": {"scale": 1, "filtered": false}},
-      "clouds": {"block": "fbm", "in": {"noise": "perlin", "scale": 8, "octaves": 5}},
-      "grey": {"block": "combine4", "in": {"x": "clouds", "y": "clouds", "z": "clouds", "w": 1}}},
-    "outputs": {"color": "grey"}})";
   CompileOptions options;
   options.target = Target::kSpirv;
   auto compiled = Compile(sources.Add("g.json", graph), graph::DocumentFormat::kJson, options,
                           sources, diagnostics);
   ASSERT_TRUE(compiled) << FormatDiagnostics(diagnostics, sources, false);
-  auto text = ReadFile(std::string(TEXGRAPH_SOURCE_DIR) + "/tests/bench/reference/fbm.frag",
-                       1 << 20, {}, diagnostics);
+  auto text = ReadFile(std::string(TEXGRAPH_SOURCE_DIR) + "/tests/bench/reference/" + name, 1 << 20,
+                       {}, diagnostics);
   ASSERT_TRUE(text);
   auto reference = spirv::CompileSpirv(*text, diagnostics);
   ASSERT_TRUE(reference) << FormatDiagnostics(diagnostics, sources, false);
   auto ours = WeightOf(compiled->spirv), theirs = WeightOf(*reference);
   ASSERT_TRUE(ours && theirs);
   EXPECT_LE(ours->computing, 1.05 * theirs->computing);
-  RecordProperty("computing", ours->computing);
-  RecordProperty("reference", theirs->computing);
+  testing::Test::RecordProperty("computing", ours->computing);
+  testing::Test::RecordProperty("reference", theirs->computing);
+}
+
+// Five octaves of gradient noise, through a function port and any fractal's settings.
+TEST(Weight, FbmIsNotHeavierThanByHand) {
+  ExpectNoHeavierThanByHand(R"({"texgraph": 1, "nodes": {
+      "perlin": {"block": "gradient_noise", "in": {"scale": 1, "filtered": false}},
+      "clouds": {"block": "fbm", "in": {"noise": "perlin", "scale": 8, "octaves": 5}},
+      "grey": {"block": "combine4", "in": {"x": "clouds", "y": "clouds", "z": "clouds", "w": 1}}},
+    "outputs": {"color": "grey"}})",
+                            "fbm.frag");
+}
+
+// Exact nearest points, with a colour for each cell.
+TEST(Weight, VoronoiIsNotHeavierThanByHand) {
+  Diagnostics diagnostics;
+  auto graph = ReadFile(std::string(TEXGRAPH_SOURCE_DIR) + "/graphs/voronoi/voronoi.json", 1 << 20,
+                        {}, diagnostics);
+  ASSERT_TRUE(graph);
+  ExpectNoHeavierThanByHand(*graph, "voronoi.frag");
 }
 
 // What counts and what does not, by a shader whose operations are known.
