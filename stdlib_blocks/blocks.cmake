@@ -41,6 +41,13 @@ set(TEXGRAPH_STDLIB_BLOCKS
   coordinates/rotate2d.glsl
   coordinates/rotate3d.glsl
   coordinates/swirl.glsl
+  filters/blur.glsl
+  filters/directional_warp.glsl
+  filters/height_to_normal.glsl
+  filters/pixelate.glsl
+  filters/vector_warp.glsl
+  filters/warp.glsl
+  filters/widen.glsl
   images/image.glsl
   images/tiled_image.glsl
   images/uv_transform.glsl
