@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 # The files of the block library, sorted by path. A file that is not here is not part of the program.
 set(TEXGRAPH_STDLIB_BLOCKS
+  bombing/bomb.glsl
+  bombing/bomb_cells.glsl
+  bombing/bomb_reach.glsl
+  bombing/copy_bits.glsl
   cellular/smooth_voronoi.glsl
   cellular/smooth_voronoi_mean.glsl
   cellular/voronoi.glsl
@@ -189,6 +193,7 @@ set(TEXGRAPH_STDLIB_BLOCKS
   tiles/tile_distance.glsl
   tiles/tile_image.glsl
   tiles/tile_near.glsl
+  tiles/tile_palette.glsl
   tiles/tile_parts.glsl
   tiles/tile_random.glsl
   tiles/tile_random_color.glsl

@@ -40,6 +40,10 @@ const int METRIC_MANHATTAN = 1;
 const int METRIC_CHEBYSHEV = 2;
 const int METRIC_MINKOWSKI = 3;
 
+// Where the copies of a bombed image end: at the image's frame, or at the circle inside of it.
+const int SHAPE_SQUARE = 0;
+const int SHAPE_DISC = 1;
+
 /// One tile of a tiling, as seen from one point: what a block needs to draw something else in every
 /// tile.
 ///

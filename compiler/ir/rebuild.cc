@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compiler/ir/rebuild.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -273,6 +274,40 @@ std::vector<ValueId> Rebuilder::CopyIf(ValueId old) {
   return results;
 }
 
+// Whether `value`, of a loop's body, is `param` or a value from outside whose copy is `first`,
+// whichever branches are taken; loops inside that begin with these and go on with them count, too.
+bool Rebuilder::StaysAs(ValueId value, ValueId param, ValueId first) {
+  constexpr size_t kMostLooked = 32;  // choices of choices may be many
+  std::vector<ValueId> same{param}, open{value};
+  for (size_t looked = 0; !open.empty(); ++looked) {
+    const ValueId v = open.back();
+    open.pop_back();
+    if (std::ranges::find(same, v) != same.end() || Get(v) == first) continue;
+    if (looked == kMostLooked) return false;
+    const bool is_part = from_[v].op == Op::kExtract;
+    const ValueId whole = is_part ? from_.Operands(from_[v])[0] : v;
+    const Inst& inst = from_[whole];
+    const bool is_tuple = module_.types.Kind(inst.type) == TypeKind::kTuple;
+    const uint32_t i = is_part ? from_[v].aux : 0;
+    if (is_part != is_tuple) {
+      return false;
+    } else if (inst.op == Op::kSelect) {
+      open.insert(open.end(), {from_.Operands(inst)[1], from_.Operands(inst)[2]});
+    } else if (inst.op == Op::kIf) {
+      const Branch& branch = from_.branches[inst.aux];
+      open.push_back(from_.regions[branch.then_region.index].results[i]);
+      open.push_back(from_.regions[branch.else_region.index].results[i]);
+    } else if (inst.op == Op::kFor) {
+      const Region& body = from_.regions[from_.loops[inst.aux].body.index];
+      same.push_back(body.params[i + 1]);
+      open.insert(open.end(), {from_.Operands(inst)[i], body.results[i]});
+    } else {
+      return false;
+    }
+  }
+  return true;
+}
+
 std::vector<ValueId> Rebuilder::CopyFor(ValueId old) {
   const Inst& inst = from_[old];
   ForLoop loop = from_.loops[inst.aux];
@@ -285,7 +320,7 @@ std::vector<ValueId> Rebuilder::CopyFor(ValueId old) {
     ValueId first = Get(from_.Operands(inst)[i]);
     // A value from outside of the loop: nothing inside has a copy yet.
     const ValueId outside = to_.folds() ? Get(result) : ValueId();
-    if (to_.folds() && (result == param || outside == first)) {
+    if (to_.folds() && (outside == first || StaysAs(result, param, first))) {
       // Carried unchanged.
       Set(param, first);
       results[i] = first;

@@ -106,6 +106,7 @@ class Rebuilder {
   void TakeResults(ValueId old, ValueId call, std::span<ValueId> results);
 
  private:
+  bool StaysAs(ValueId value, ValueId param, ValueId first);
   void CopyOne(ValueId old);
   void CopyCallResults(ValueId old);
   void SetResults(ValueId old, std::span<const ValueId> results);

@@ -139,7 +139,9 @@ ConstId ComputedPorts::Compute(const CheckedSubgraph& subgraph, uint32_t index, 
 
 bool ComputedPorts::IsInRange(const CheckedNode& node, const Port& port, ConstId value,
                               const std::vector<const Port*>& from) {
-  const double number = static_cast<int32_t>(module_.Words(value)[0]);
+  // Of a vector the greatest component.
+  int32_t number = INT32_MIN;
+  for (uint32_t word : module_.Words(value)) number = std::max(number, static_cast<int32_t>(word));
   if (!port.maximum || number <= *port.maximum) return true;
   diagnostics_
       .Error(

@@ -81,6 +81,7 @@ std::vector<NamedPicture> Pictures() {
       {"brick_wall/mortar.png", [] { return MakeMortar(256); }},
       {"brick_wall/moss.png", [] { return MakeMoss(256); }},
       {"brick_wall/soot.png", MakeSoot},
+      {"daisies/daisy.png", MakeDaisy},
       {"first_wall/brick.png", [] { return MakeBrick(128); }},
       {"first_wall/leaf_on_black.png", MakeLeafOnBlack},
       {"first_wall/mortar.png", [] { return MakeMortar(128); }},

@@ -90,5 +90,6 @@ Picture MakeDrops();
 Picture MakeOpeningFlower();
 Picture MakeTrees();
 Picture MakeInsects();
+Picture MakeDaisy();
 
 }  // namespace texgraph::pictures

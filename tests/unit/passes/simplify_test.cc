@@ -407,6 +407,55 @@ main main
 )");
 }
 
+// Choices of what it was before the loop and of what it is; a loop inside that goes on with it.
+TEST(Simplify, LoopsDoNotCarryWhatChoicesLeaveAlone) {
+  EXPECT_EQ(Simplified(R"(input b: vec2
+function main() -> (x: float, y: vec2, z: vec2) {
+  %0 = for %i = 0 to 4 step 1 (%best = 0.0, %slope = @b, %other = @b) : (float, vec2, vec2) {
+    %1 = for %j = 0 to 3 step 1 (%inner = %best, %same = %slope, %new = %other) : (float, vec2, vec2) {
+      %2 = convert %j : float
+      %3 = sin %inner : float
+      %4 = lt %3, %2 : bool
+      %5 = select %4, %2, %3 : float
+      %6 = select %4, @b, %same : vec2
+      %7 = select %4, vec2(1.0, 2.0), %new : vec2
+      yield %5, %6, %7
+    }
+    %8 = extract.0 %1 : float
+    %9 = extract.1 %1 : vec2
+    %10 = extract.2 %1 : vec2
+    yield %8, %9, %10
+  }
+  %11 = extract.0 %0 : float
+  %12 = extract.1 %0 : vec2
+  %13 = extract.2 %0 : vec2
+  return %11, %12, %13
+}
+main main
+)"),
+            R"(input b: vec2
+function main() -> (x: float, y: vec2, z: vec2) {
+  %0 = for %i = 0 to 4 step 1 (%best = 0.0, %other = @b) : (float, vec2) {
+    %1 = for %j = 0 to 3 step 1 (%inner = %best, %new = %other) : (float, vec2) {
+      %2 = convert %j : float
+      %3 = sin %inner : float
+      %4 = lt %3, %2 : bool
+      %5 = max %3, %2 : float
+      %6 = select %4, vec2(1.0, 2.0), %new : vec2
+      yield %5, %6
+    }
+    %7 = extract.0 %1 : float
+    %8 = extract.1 %1 : vec2
+    yield %7, %8
+  }
+  %9 = extract.0 %0 : float
+  %10 = extract.1 %0 : vec2
+  return %9, @b, %10
+}
+main main
+)");
+}
+
 TEST(Simplify, NamesAndOriginsStay) {
   EXPECT_EQ(Simplified(R"(origin #0 = "face" "layer" "layers/layer.glsl"
 origin #1 = "grid" "brick_grid" "tiling/brick_grid.glsl"
