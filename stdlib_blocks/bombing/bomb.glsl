@@ -130,7 +130,7 @@ Tile frame_of(Copy copy, vec2 size, vec2 rotation, vec2 scale) {
 /// @param tint what a copy's colour is multiplied by @default vec3(1)
 /// @param uv coordinate @default uv
 /// @param scale cells for each unit of the coordinate @default vec2(8)
-/// @param copies how many a cell has @default 1 @range 1 64
+/// @param copies how many a cell has @default 1 @range 1 32
 /// @param jitter how far from the middles of their cells the centres of copies are drawn, as the
 ///   width and height of that part, in cells: 0, not at all; 1, anywhere in the cell
 ///   @default vec2(1) @range 0 8

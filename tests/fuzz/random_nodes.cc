@@ -16,7 +16,8 @@ using blocks::PortKind;
 using graph::Argument;
 
 constexpr int kAttempts = 100;        // to find a block whose ports can all be bound
-constexpr double kMostWhole = 64;     // where a range goes beyond what pictures have
+// Where a range goes beyond: what pictures have, and what loops within loops can go round.
+constexpr double kMost = 64, kMostWhole = 5;
 constexpr uint32_t kDeep = 6;         // deeper is no better
 constexpr uint32_t kDynamicInt = 12;  // one in so many whole numbers with limits is connected
 
@@ -42,7 +43,8 @@ double RandomNodes::Number(const Port& port, ir::Scalar scalar, size_t component
   double low = -1, high = 2;
   if (port.minimum && port.maximum) {
     low = *port.minimum;
-    high = std::min(*port.maximum, std::max(low + 1, kMostWhole));
+    const double most = scalar == ir::Scalar::kFloat ? kMost : kMostWhole;
+    high = std::min(*port.maximum, std::max(low + 1, most));
   } else if (port.default_value.valid()) {
     const auto words = catalog_.Words(port.default_value);
     const double value = scalar == ir::Scalar::kFloat

@@ -52,7 +52,7 @@ std::string Ports(std::string_view block, std::string_view ports) {
 TEST(CheckMistakes, UnknownBlocksAndPorts) {
   ExpectMistakes({
       {Ports("t_onn", ""), {"9:16 unknown-block"}, "no block 't_onn'; did you mean 't_one'?"},
-      {Ports("fum", ""), {"9:16 unknown-block"}, "no block 'fum'; did you mean 'fun'?"},
+      {Ports("funn", ""), {"9:16 unknown-block"}, "no block 'funn'; did you mean 'fun'?"},
       {Ports("../t_one", ""), {"9:16 unknown-block"}, "no block '../t_one'"},
       {Ports("", ""), {"9:16 unknown-block"}, "no block ''"},
       {Ports("t_pick", "\"moed\": 1"), {"10:1 unknown-port"}, "did you mean 'mode'?"},
