@@ -86,6 +86,8 @@ std::vector<NamedPicture> Pictures() {
       {"first_wall/leaf_on_black.png", MakeLeafOnBlack},
       {"first_wall/mortar.png", [] { return MakeMortar(128); }},
       {"first_wall/moss.png", [] { return MakeMoss(128); }},
+      {"flower_field/beds.png", MakeFlowerBeds},
+      {"flower_field/flowers.png", MakeFlowers},
       {"hallway/brick_relief.png", MakeBrickRelief},
       {"hallway/crack.png", MakeCrack},
       {"hallway/door.png", MakeDoor},

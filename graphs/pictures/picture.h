@@ -91,5 +91,7 @@ Picture MakeOpeningFlower();
 Picture MakeTrees();
 Picture MakeInsects();
 Picture MakeDaisy();
+Picture MakeFlowers();
+Picture MakeFlowerBeds();
 
 }  // namespace texgraph::pictures

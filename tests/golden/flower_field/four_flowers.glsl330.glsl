@@ -1,0 +1,116 @@
+// four_flowers: a function for a shader of #version 330 or later, compiled by texgraphc 0.1.0.
+// Call it in the main part of a fragment shader, outside branches and loops: textures are
+// sampled with derivatives, which neighbouring pixels have to compute together.
+
+// Textures
+uniform sampler2DArray flowers;
+
+// Types
+struct four_flowers_Tile {
+  uint seed;
+};
+struct four_flowers_Copy {
+  uint seed;
+  vec2 from;
+};
+struct four_flowers_View {
+  vec3 light;
+  float through;
+};
+
+// copy_bits (bombing/copy_bits.glsl)
+uvec4 four_flowers_copy_bits(ivec2 cell) {
+  uvec2 c = uvec2(cell);
+  uvec2 v = c.x * uvec2(1664525u, 389569705u) + c.y * uvec2(389569705u, 2942464162u)
+      + uvec2(129708002u, 817759070u);
+  v ^= v >> 16u;
+  return v.x * uvec4(3266489917u, 668265263u, 374761393u, 1664525u)
+      + v.y * uvec4(2246822519u, 3432918353u, 461845907u, 389569706u);
+}
+
+// find_next, of bomb (bombing/bomb.glsl)
+void four_flowers_find_next(vec2 p, vec2 corner, uint last, out uint last_out,
+    out four_flowers_Copy found) {
+  four_flowers_Copy found2 = four_flowers_Copy(0u, p);
+  uint best = 0u;
+  for (int i = 0; i < 4; ++i) {
+    vec2 node = corner + vec2(ivec2(i % 2, i / 2));
+    uvec4 copy_bits_value = four_flowers_copy_bits(ivec2(node));
+    vec2 difference = p - node - vec2(ivec2(copy_bits_value.xy)) * 2.3283064e-10;
+    four_flowers_Copy copy = four_flowers_Copy(copy_bits_value.w, difference);
+    uvec2 away = floatBitsToUint(vec2(dot(difference, difference), 0.25));
+    bool is_next = all(lessThan(uvec3(best, copy_bits_value.z, away.x),
+        uvec3(copy_bits_value.z, last, away.y)));
+    found2 = is_next ? copy : found2;
+    best = is_next ? copy_bits_value.z : best;
+  }
+  last_out = best;
+  found = found2;
+}
+
+// hash (random/hash.glsl)
+uint four_flowers_hash(uint value) {
+  uint state = value * 747796405u + 2891336453u;
+  uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+  return (word >> 22u) ^ word;
+}
+
+// flower (function of the graph)
+vec4 four_flowers_flower(vec2 uv, four_flowers_Tile tile, vec2 uv_dx, vec2 uv_dy) {
+  // kind: tile_choice (tiles/tile_choice.glsl)
+  int kind = int(four_flowers_hash(tile.seed) >> 30u);
+  // picture: image (images/image.glsl)
+  vec4 picture = textureGrad(flowers, vec3(uv, float(kind)), uv_dx, uv_dy);
+  return picture;
+}
+
+// paint, of bomb (bombing/bomb.glsl)
+vec4 four_flowers_paint(four_flowers_Copy copy, vec2 copy_from_dx, vec2 copy_from_dy) {
+  four_flowers_Tile tile = four_flowers_Tile(copy.seed);
+  vec4 seen = four_flowers_flower(copy.from + 0.5, tile, copy_from_dx, copy_from_dy);
+  return seen;
+}
+
+// by_rank, of bomb (bombing/bomb.glsl)
+four_flowers_View four_flowers_by_rank(vec2 p, vec2 corner, vec2 p_dx, vec2 p_dy) {
+  vec4 sum = vec4(0.0);
+  float open = 1.0;
+  float through = 1.0;
+  uint last = 4294967295u;
+  for (int layer = 0; layer < 4; ++layer) {
+    uint last2 = last;
+    if (open > 0.001) {
+      four_flowers_Copy copy;
+      four_flowers_find_next(p, corner, last, last2, copy);
+      open = 0.0;
+      if (last2 > 0u) {
+        vec4 seen = four_flowers_paint(copy, p_dx, p_dy);
+        float part = seen.w * through;
+        sum += vec4(seen.xyz, 1.0) * part;
+        open = 1.0 - sum.w;
+        through = open;
+      }
+    }
+    last = last2;
+  }
+  return four_flowers_View(sum.xyz, through);
+}
+
+// bomb (bombing/bomb.glsl)
+vec4 four_flowers_bomb(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
+  vec2 p = uv * 8.0 - 0.5;
+  vec2 corner = floor(p);
+  vec2 p_dx = uv_dx * 8.0;
+  vec2 p_dy = uv_dy * 8.0;
+  four_flowers_View view = four_flowers_by_rank(p, corner, p_dx, p_dy);
+  vec3 below = vec3(0.07, 0.2, 0.03) * view.through;
+  vec4 color = vec4(view.light + below, 1.0);
+  return color;
+}
+
+vec4 four_flowers(vec2 uv) {
+  vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
+  // meadow: bomb (bombing/bomb.glsl)
+  vec4 meadow_color = four_flowers_bomb(uv, uv_dx, uv_dy);
+  return meadow_color;
+}
