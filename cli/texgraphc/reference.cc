@@ -185,6 +185,7 @@ class Printer {
     if (port.multiple_of) add("multiples of the size of " + ports[*port.multiple_of].name);
     if (port.grid_of) add("if nothing is given, the grid of " + ports[*port.grid_of].name);
     if (port.transitions_of) add("for the corners of " + ports[*port.transitions_of].name);
+    if (port.as_long_as) add("as many as " + ports[*port.as_long_as].name);
     if (port.below) add("counts " + ports[*port.below].name);
     std::string words;
     for (const blocks::EnumWord& word : port.words)

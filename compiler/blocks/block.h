@@ -71,6 +71,8 @@ struct Port {
   // "@below name": its numbers count what that input has: the patterns or lists of a texture, the
   // elements of an array, the fields of an ivec2 grid, or as many as an int says.
   std::optional<uint32_t> below;
+  // "@as_long_as name": a list with as many elements as the one at that input.
+  std::optional<uint32_t> as_long_as;
   // "@one_of name ...", of an output: what is known of its numbers. Each is one of an array, of a
   // texture, or of what stands at a value or field; of a "const int" one from 0 to below it.
   std::vector<uint32_t> one_of;

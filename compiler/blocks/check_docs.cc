@@ -38,9 +38,9 @@ struct ParameterDoc {
   std::vector<Setting> settings;
 };
 
-constexpr std::string_view kInlineTags[] = {"@default", "@length",      "@range",    "@unit",
-                                            "@ordered", "@not_below",   "@computed", "@multiple_of",
-                                            "@grid_of", "@transitions", "@below",    "@one_of"};
+constexpr std::string_view kInlineTags[] = {
+    "@default",     "@length",  "@range",       "@unit",  "@ordered", "@not_below", "@computed",
+    "@multiple_of", "@grid_of", "@transitions", "@below", "@one_of",  "@as_long_as"};
 constexpr std::string_view kTags[] = {"@param", "@return", "@source"};
 
 bool IsBlank(char c) { return c == ' ' || c == '\t'; }
@@ -316,7 +316,7 @@ class DocChecker {
     // The default is checked against the range.
     for (std::string_view tag :
          {"@unit", "@range", "@length", "@default", "@ordered", "@not_below", "@multiple_of",
-          "@grid_of", "@transitions", "@below", "@one_of", "@computed"}) {
+          "@grid_of", "@transitions", "@below", "@as_long_as", "@one_of", "@computed"}) {
       for (const Setting& setting : doc->settings) {
         if (setting.tag.text == tag) SetSetting(port, setting, is_input);
       }
@@ -489,7 +489,7 @@ class DocChecker {
   // Set when all inputs are known.
   static bool NamesInputs(std::string_view tag) {
     return tag == "@ordered" || tag == "@not_below" || tag == "@multiple_of" || tag == "@grid_of" ||
-           tag == "@transitions" || tag == "@below";
+           tag == "@transitions" || tag == "@below" || tag == "@as_long_as";
   }
 
   // Of a field, the type of its results.
@@ -510,6 +510,7 @@ class DocChecker {
       if (setting.tag.text == "@grid_of") SetSizeOf(overload, port, setting, port.grid_of);
       if (setting.tag.text == "@transitions") SetTransitions(overload, port, setting);
       if (setting.tag.text == "@below") SetBelow(overload, port, setting);
+      if (setting.tag.text == "@as_long_as") SetAsLongAs(overload, port, setting);
     }
   }
 
@@ -552,8 +553,7 @@ class DocChecker {
   }
 
   bool IsListOfInts(const Port& port) const {
-    return port.kind == PortKind::kTemplate && IsUnsized(program_.module.types, port.type) &&
-           ElementOf(port.type) == ir::kInt;
+    return IsList(port) && ElementOf(port.type) == ir::kInt;
   }
 
   void SetTransitions(const Overload& overload, Port& port, const Setting& setting) {
@@ -564,6 +564,19 @@ class DocChecker {
                    "'@transitions' is for a 'const int[]', and names another one");
     }
     port.transitions_of = static_cast<uint32_t>(families - overload.inputs.data());
+  }
+
+  bool IsList(const Port& port) const {
+    return port.kind == PortKind::kTemplate && IsUnsized(program_.module.types, port.type);
+  }
+
+  void SetAsLongAs(const Overload& overload, Port& port, const Setting& setting) {
+    const Port* other = FindInput(overload, setting);
+    if (!other) return;
+    if (other == &port || !IsList(port) || !IsList(*other)) {
+      return Error(setting.tag.range, "'@as_long_as' is for a list, and names another one");
+    }
+    port.as_long_as = static_cast<uint32_t>(other - overload.inputs.data());
   }
 
   // An int, a list of them, a function that gives one, or a map.

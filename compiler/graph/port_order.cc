@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ports that are the least and the greatest of something: a block says so with "@ordered" and
-// "@not_below", and what is known of their values when the graph is checked must obey it.
+// Ports that are the least and the greatest of something, or lists of one length: a block says so
+// with "@ordered", "@not_below" and "@as_long_as", and what is known of their values when the graph
+// is checked must obey it.
 #include <fmt/format.h>
 
 #include <bit>
@@ -42,6 +43,7 @@ void SubgraphChecker::CheckPortOrder(const CheckedNode& checked, const blocks::O
     const blocks::Port& port = overload.inputs[i];
     if (port.not_below) CheckNotBelow(checked, overload, i);
     if (port.transitions_of) CheckTransitions(checked, overload, i);
+    if (port.as_long_as) CheckSameLength(checked, overload, i);
     const ir::ConstId constant = KnownValue(checked.inputs[i]);
     if (!port.ordered || !constant) continue;
     const ir::TypeId type = check_.module.constant(constant).type;
@@ -54,6 +56,32 @@ void SubgraphChecker::CheckPortOrder(const CheckedNode& checked, const blocks::O
         fmt::format("{} takes its least value first, got {} before {}", place.Text(),
                     WordText(type, words[*at]), WordText(type, words[*at + 1]))));
   }
+}
+
+// The caret is at this list, the note at the other.
+void SubgraphChecker::CheckSameLength(const CheckedNode& checked, const blocks::Overload& overload,
+                                      uint32_t index) {
+  const blocks::Port& port = overload.inputs[index];
+  const blocks::Port& other = overload.inputs[*port.as_long_as];
+  const BoundPort& list = checked.inputs[index];
+  const BoundPort& measure = checked.inputs[*port.as_long_as];
+  const ir::ConstId here = KnownValue(list), there = KnownValue(measure);
+  if (!here || !there) return;
+  auto length = [&](ir::ConstId value) {
+    return check_.module.types.ElementCount(check_.module.constant(value).type);
+  };
+  if (length(here) == length(there)) return;
+  auto count = [](uint32_t elements) {
+    return fmt::format("{} element{}", elements, elements == 1 ? "" : "s");
+  };
+  Place place{"port", port.name, "node", checked.node->name, port.range};
+  Diagnostic& error = check_.diagnostics.Error(
+      DiagnosticKind::kListLength, list.range,
+      fmt::format("{} takes {}, as many as port '{}' has; got {}", place.Text(),
+                  count(length(there)), other.name, length(here)));
+  error.AddNote(measure.range,
+                fmt::format("port '{}' has {} here", other.name, count(length(there))));
+  place.AddNote(error);
 }
 
 // The caret is at the port that the node names; of two, at the greatest value.

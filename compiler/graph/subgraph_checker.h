@@ -150,9 +150,11 @@ class SubgraphChecker {
   std::optional<int> FieldCost(const blocks::Port& port, const Argument& argument,
                                const Resolved& resolved) const;
 
-  // port_order.cc: least and greatest values.
+  // port_order.cc: least and greatest values, lists of one length.
   void CheckPortOrder(const CheckedNode& checked, const blocks::Overload& overload);
   void CheckNotBelow(const CheckedNode& checked, const blocks::Overload& overload, uint32_t most);
+  void CheckSameLength(const CheckedNode& checked, const blocks::Overload& overload,
+                       uint32_t index);
 
   // pattern_grids.cc: columns and rows that a texture says.
   std::optional<BoundPort> BindGrid(const Target& target, const blocks::Overload& overload,

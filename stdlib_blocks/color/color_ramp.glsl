@@ -85,15 +85,15 @@ vec4 color_ramp(float position, vec4 color_1, vec4 color_2, vec4 color_3, vec4 c
 
 /// @param position where in the gradient, a noise for example
 /// @param colors the colours at the stops
-/// @param stops their positions, which rise; two may be the same. Of colours and stops the longer
-///   list is cut
+/// @param stops their positions, one for each colour, which rise; two may be the same
+///   @as_long_as colors
 /// @param curve how the colours pass into each other; of steps, each goes on up to the next stop
 ///   @default CURVE_LINEAR
 /// @param filtered whether the ramp is filtered; else it needs no derivatives of the position
 ///   @default true
 vec4 color_ramp(float position, const vec4 colors[], const float stops[], const int curve,
                 const bool filtered) {
-  int last = min(colors.length(), stops.length()) - 1;
+  int last = colors.length() - 1;
   if (!filtered) {
     vec4 color = colors[0];
     for (int i = 0; i < last; i++) {

@@ -184,12 +184,25 @@ size_t BlockCatalog::FamilyCount(const Port& families,
   return static_cast<size_t>(std::ranges::max(argument->literal.numbers)) + 1;
 }
 
+uint32_t BlockCatalog::ListLength(const Port& list, std::span<const PortArgument> arguments) const {
+  auto argument = std::ranges::find(arguments, list.name, &PortArgument::port);
+  if (argument == arguments.end() || argument->thing) return 0;
+  const size_t width = ir::Width(types().ElementType(list.type, 0));
+  return static_cast<uint32_t>(argument->literal.numbers.size() / width);
+}
+
 bool BlockCatalog::KeepsOrder(const Overload& overload,
                               std::span<const PortArgument> arguments) const {
   for (const Port& port : overload.inputs) {
     if (port.multiple_of) {
       for (float number : Known(port, arguments)) {
         if (std::fmod(number, kMapMultiple) != 0) return false;
+      }
+    }
+    if (port.as_long_as) {
+      const uint32_t length = ListLength(port, arguments);
+      if (length == 0 || length != ListLength(overload.inputs[*port.as_long_as], arguments)) {
+        return false;
       }
     }
     if (port.transitions_of) {

@@ -56,9 +56,12 @@ class BlockCatalog {
                                  std::span<const PortArgument> arguments) const;
   // Whether a value that is known lies within the port's limits and words.
   bool WithinLimits(const blocks::Port& port, const graph::Argument& literal) const;
-  // Whether no greatest value that is known lies below its least.
   // One more than the greatest of a list of whole numbers that stands at the port; 0 if none does.
   size_t FamilyCount(const blocks::Port& families, std::span<const PortArgument> arguments) const;
+  // How many elements the list at the port has; 0 if it is none that is written there.
+  uint32_t ListLength(const blocks::Port& list, std::span<const PortArgument> arguments) const;
+  // Whether no greatest value that is known lies below its least, and what goes by another port's
+  // value does.
   bool KeepsOrder(const blocks::Overload& overload, std::span<const PortArgument> arguments) const;
 
   ir::TypeId FieldResult(const blocks::Port& port) const;

@@ -15,7 +15,7 @@ using blocks::Port;
 using blocks::PortKind;
 using graph::Argument;
 
-constexpr int kAttempts = 100;        // to find a block whose ports can all be bound
+constexpr int kAttempts = 100;  // to find a block whose ports can all be bound
 // Where a range goes beyond: what pictures have, and what loops within loops can go round.
 constexpr double kMost = 64, kMostWhole = 5;
 constexpr uint32_t kDeep = 6;         // deeper is no better
@@ -80,7 +80,11 @@ std::optional<Argument> RandomNodes::Literal(const Port& port) {
     }
     return literal;
   }
-  if (port.max_length > 0) return List(port);
+  if (port.max_length > 0) {
+    const uint32_t most = std::min(port.max_length, OneIn(16) ? 100u : 12u);
+    return List(port,
+                port.min_length + Below(std::max(most, port.min_length) - port.min_length + 1));
+  }
   const bool vector = ir::IsVector(type);
   if (!vector && !ir::IsMatrix(type)) return std::nullopt;
   if (ir::IsBool(type)) {
@@ -108,11 +112,8 @@ std::optional<Argument> RandomNodes::Literal(const Port& port) {
 
 // Few elements more often than as many as it may have. Whole numbers are what a path's points tell
 // themselves apart by.
-Argument RandomNodes::List(const Port& port) {
+Argument RandomNodes::List(const Port& port, uint32_t length) {
   const ir::TypeId element = catalog_.types().ElementType(port.type, 0);
-  const uint32_t most = std::min(port.max_length, OneIn(16) ? 100u : 12u);
-  const uint32_t length =
-      port.min_length + Below(std::max(most, port.min_length) - port.min_length + 1);
   const bool whole = OneIn(4);
   Argument list;
   list.kind = Argument::Kind::kVector;
@@ -136,6 +137,15 @@ std::optional<Argument> RandomNodes::Transitions(const Port& families,
   list.is_integer = true;
   for (size_t i = 0; i < count * count * count * count; ++i) list.numbers.push_back(Below(32));
   return list;
+}
+
+std::optional<Argument> RandomNodes::Following(const Overload& overload, const Port& port,
+                                               std::span<const PortArgument> arguments) {
+  if (port.transitions_of) return Transitions(overload.inputs[*port.transitions_of], arguments);
+  if (!port.as_long_as) return std::nullopt;
+  const uint32_t length = catalog_.ListLength(overload.inputs[*port.as_long_as], arguments);
+  if (length == 0) return std::nullopt;
+  return List(port, length);
 }
 
 Tree RandomNodes::TreeOf(const Argument& literal, bool is_list) {
@@ -225,14 +235,11 @@ std::optional<Tree> RandomNodes::Bind(std::span<const Overload> overloads, const
     }
     PortArgument argument;
     const bool is_template = port.kind == PortKind::kTemplate;
-    std::optional<Argument> transitions;
-    if (port.transitions_of) {
-      transitions = Transitions(meant.inputs[*port.transitions_of], arguments);
-    }
+    const std::optional<Argument> following = Following(meant, port, arguments);
     std::optional<Tree> tree;
-    if (transitions) {
+    if (following) {
       argument.port = port.name;
-      argument.literal = *transitions;
+      argument.literal = *following;
       tree = TreeOf(argument.literal, true);
     } else {
       tree = MakeArgument(port, is_template ? 3 : 8, argument);

@@ -39,7 +39,12 @@ class RandomNodes {
                                    PortArgument& argument);
   // A literal for the port. None if its type has none.
   std::optional<graph::Argument> Literal(const blocks::Port& port);
-  graph::Argument List(const blocks::Port& port);
+  graph::Argument List(const blocks::Port& port, uint32_t length);
+  // The value of a port that goes by another one's; nothing if the port does not, or that one is
+  // not known.
+  std::optional<graph::Argument> Following(const blocks::Overload& overload,
+                                           const blocks::Port& port,
+                                           std::span<const PortArgument> arguments);
   std::optional<graph::Argument> Transitions(const blocks::Port& families,
                                              std::span<const PortArgument> arguments);
   // `is_list`: of numbers in one row, not a matrix, however many they are.

@@ -320,6 +320,31 @@ TEST(BlockDocs, LeastAndGreatest) {
             "2:17: the defaults break '@not_below' [block-doc]\n");
 }
 
+TEST(BlockDocs, ListsOfOneLength) {
+  TestLibrary test(Files{{"x.glsl",
+                          "/// X.\n/// @param a them\n/// @param b as many @as_long_as a\n"
+                          "float x(const vec4 a[], const float b[]) { return a[0].x + b[0]; }"}});
+  const Block* block = test.library.Find("x");
+  ASSERT_NE(block, nullptr) << test.Report();
+  EXPECT_EQ(block->overloads[0].inputs[1].as_long_as, 0u);
+  EXPECT_FALSE(block->overloads[0].inputs[0].as_long_as);
+  auto report = [](std::string_view doc) {
+    return ReportOf("/// X.\n" + std::string(doc) +
+                    "\nfloat x(const float a[], vec2 b, const int c[3], out float e) "
+                    "{ e = b.x; return a[0]; }");
+  };
+  EXPECT_EQ(report("/// @param a it @as_long_as"),
+            "2:17: '@as_long_as' needs a value behind it [block-doc]\n");
+  EXPECT_EQ(report("/// @param a it @as_long_as g"), "2:29: there is no input 'g' [block-doc]\n");
+  for (const char* text : {"a it @as_long_as a", "a it @as_long_as b", "b it @as_long_as a",
+                           "a it @as_long_as c", "c it @as_long_as a"}) {
+    EXPECT_EQ(report("/// @param " + std::string(text)),
+              "2:17: '@as_long_as' is for a list, and names another one [block-doc]\n");
+  }
+  EXPECT_EQ(report("/// @param e it @as_long_as a"),
+            "2:17: an output has no '@as_long_as' [block-doc]\n");
+}
+
 TEST(BlockDocs, MultiplesOfTexturesSizes) {
   TestLibrary test(Files{{"x.glsl",
                           "/// X.\n/// @param cells columns and rows @multiple_of map\n"
