@@ -101,12 +101,12 @@ Picture MakeFlowerBeds() {
     for (int x = 0; x < kSide; ++x) {
       const Point p{(x + 0.5) / kSide, (y + 0.5) / kSide};
       const double middle = 0.34 + 0.32 * Winding(p.y) + 0.02 * Noise(p * 8, 5301, 8);
-      const double free = SmoothStep(0.05, 0.11, std::fabs(p.x - middle));
+      const double free = SmoothStep(0.06, 0.10, std::fabs(p.x - middle));
       const double cloud = Fractal(p * 3, 3, 5311, 3);
       const double other = Fractal(p * 4, 3, 5321, 4);
-      map.pixels.push_back(ShareByte(free * SmoothStep(-0.4, 0.35, -cloud)));
-      map.pixels.push_back(ShareByte(free * SmoothStep(0.0, 0.4, cloud)));
-      map.pixels.push_back(ShareByte(free * SmoothStep(0.02, 0.3, other)));
+      map.pixels.push_back(ShareByte(free * SmoothStep(-0.35, 0.1, -cloud)));
+      map.pixels.push_back(ShareByte(free * SmoothStep(-0.02, 0.3, cloud)));
+      map.pixels.push_back(ShareByte(free * SmoothStep(0.0, 0.25, other)));
     }
   }
   return map;
