@@ -5,6 +5,7 @@ set(TEXGRAPH_STDLIB_BLOCKS
   bombing/bomb_cells.glsl
   bombing/bomb_reach.glsl
   bombing/copy_bits.glsl
+  cellular/blend_tiles.glsl
   cellular/smooth_voronoi.glsl
   cellular/smooth_voronoi_mean.glsl
   cellular/voronoi.glsl
@@ -18,12 +19,14 @@ set(TEXGRAPH_STDLIB_BLOCKS
   channels/rgb.glsl
   channels/rgba.glsl
   channels/separate.glsl
+  channels/swizzle.glsl
   channels/to_float.glsl
   channels/to_int.glsl
   channels/xy.glsl
   color/brightness_contrast.glsl
   color/color_key.glsl
   color/color_ramp.glsl
+  color/histogram_scan.glsl
   color/hsv_adjust.glsl
   color/hsv_to_rgb.glsl
   color/levels.glsl
@@ -44,11 +47,19 @@ set(TEXGRAPH_STDLIB_BLOCKS
   coordinates/repeat.glsl
   coordinates/rotate2d.glsl
   coordinates/rotate3d.glsl
+  coordinates/shear.glsl
+  coordinates/spherize.glsl
   coordinates/swirl.glsl
   filters/blur.glsl
+  filters/curvature.glsl
+  filters/directional_blur.glsl
   filters/directional_warp.glsl
+  filters/edge_detect.glsl
   filters/height_to_normal.glsl
   filters/pixelate.glsl
+  filters/sharpen.glsl
+  filters/slope_blur.glsl
+  filters/triplanar.glsl
   filters/vector_warp.glsl
   filters/warp.glsl
   filters/widen.glsl
@@ -82,6 +93,7 @@ set(TEXGRAPH_STDLIB_BLOCKS
   layers/apply_mask.glsl
   layers/blend.glsl
   layers/box_share.glsl
+  layers/dissolve.glsl
   layers/layer.glsl
   layers/layer_element.glsl
   layers/layer_neighbours.glsl
@@ -92,6 +104,8 @@ set(TEXGRAPH_STDLIB_BLOCKS
   materials/material_over.glsl
   materials/material_parts.glsl
   materials/normal_map.glsl
+  materials/normal_strength.glsl
+  materials/reorient_normal.glsl
   materials/turn_normal.glsl
   math/absolute.glsl
   math/add.glsl

@@ -18,12 +18,14 @@ struct Look3 {
 };
 
 // The nearest point: how far it is, in the form that the metric compares; its cell as seen from the
-// corner; that cell's bits. `second`: how far the second nearest is.
+// corner; that cell's bits. `second`: how far the second nearest is, with its cell and bits.
 struct Near2 {
   float key;
   float second;
   ivec2 offset;
   uint bits;
+  ivec2 second_offset;
+  uint second_bits;
 };
 
 struct Near3 {
@@ -31,6 +33,8 @@ struct Near3 {
   float second;
   ivec3 offset;
   uint bits;
+  ivec3 second_offset;
+  uint second_bits;
 };
 
 // Grows with the length of `arm` in a metric, and needs no root.
@@ -147,6 +151,10 @@ void visit(Look2 look, ivec2 offset, const ivec2 period, int seed, float jitter,
   uint bits;
   vec2 point = point_of(look, offset, period, seed, jitter, moves, bits);
   float key = key_of(point - look.place, metric, exponent);
+  if (max(near.key, key) < near.second) {
+    near.second_offset = key < near.key ? near.offset : offset;
+    near.second_bits = key < near.key ? near.bits : bits;
+  }
   near.second = min(near.second, max(near.key, key));
   if (key < near.key) {
     near.key = key;
@@ -160,6 +168,10 @@ void visit(Look3 look, ivec3 offset, const ivec3 period, int seed, float jitter,
   uint bits;
   vec3 point = point_of(look, offset, period, seed, jitter, moves, bits);
   float key = key_of(point - look.place, metric, exponent);
+  if (max(near.key, key) < near.second) {
+    near.second_offset = key < near.key ? near.offset : offset;
+    near.second_bits = key < near.key ? near.bits : bits;
+  }
   near.second = min(near.second, max(near.key, key));
   if (key < near.key) {
     near.key = key;
@@ -212,7 +224,7 @@ Near2 nearest(Look2 look, const ivec2 period, int seed, float jitter, const bool
 }
 
 // The three other cells that can have the second nearest, all on the side of the point's own cell.
-float second_nearest(Look2 look, Near2 near, const ivec2 period, int seed, float jitter,
+Near2 second_nearest(Look2 look, Near2 near, const ivec2 period, int seed, float jitter,
                      const bool moves, const int metric, const float exponent) {
   ivec2 own = ivec2(look.place.x < 0.0 ? -1 : 0, look.place.y < 0.0 ? -1 : 0);
   ivec2 out_by_1 = ivec2(look.place.x < 0.0 ? -2 : 1, look.place.y < 0.0 ? -2 : 1);
@@ -221,7 +233,7 @@ float second_nearest(Look2 look, Near2 near, const ivec2 period, int seed, float
   visit(look, out_by_1, period, seed, jitter, moves, metric, exponent, further);
   visit(look, ivec2(out_by_2.x, own.y), period, seed, jitter, moves, metric, exponent, further);
   visit(look, ivec2(own.x, out_by_2.y), period, seed, jitter, moves, metric, exponent, further);
-  return further.second;
+  return further;
 }
 
 // Looks at the cells of one ring around the corner, as far as they can have a nearer point.
@@ -268,38 +280,40 @@ Near3 nearest(Look3 look, const ivec3 period, int seed, float jitter, const bool
 }
 
 // As look_around, for the second nearest. The nearest is known.
-float second_around(Look3 look, Near3 near, const int ring, float second, const ivec3 period,
-                    int seed, float jitter, const bool moves, const int metric,
-                    const float exponent) {
-  float best = second;
+void second_around(Look3 look, const int ring, const ivec3 period, int seed, float jitter,
+                   const bool moves, const int metric, const float exponent, inout Near3 near) {
   for (int z = -ring - 1; z <= ring; ++z) {
     for (int y = -ring - 1; y <= ring; ++y) {
       vec3 row = gap_to(look, ivec3(0, y, z), jitter);
-      if (key_of(vec3(0.0, row.yz), metric, exponent) < best) {
+      if (key_of(vec3(0.0, row.yz), metric, exponent) < near.second) {
         for (int x = -ring - 1; x <= ring; ++x) {
           ivec3 offset = ivec3(x, y, z);
           vec3 gap = gap_to(look, offset, jitter);
           if (!within(offset, ring) && offset != near.offset &&
-              key_of(gap, metric, exponent) < best) {
+              key_of(gap, metric, exponent) < near.second) {
             uint bits;
             vec3 point = point_of(look, offset, period, seed, jitter, moves, bits);
-            best = min(best, key_of(point - look.place, metric, exponent));
+            float key = key_of(point - look.place, metric, exponent);
+            if (key < near.second) {
+              near.second = key;
+              near.second_offset = offset;
+              near.second_bits = bits;
+            }
           }
         }
       }
     }
   }
-  return best;
 }
 
-float second_nearest(Look3 look, Near3 near, const ivec3 period, int seed, float jitter,
+Near3 second_nearest(Look3 look, Near3 near, const ivec3 period, int seed, float jitter,
                      const bool moves, const int metric, const float exponent) {
-  float second =
-      second_around(look, near, 1, near.second, period, seed, jitter, moves, metric, exponent);
-  if (second > key_of(vec3(1.5, 0.0, 0.0), metric, exponent)) {
-    second = second_around(look, near, 2, second, period, seed, jitter, moves, metric, exponent);
+  Near3 further = near;
+  second_around(look, 1, period, seed, jitter, moves, metric, exponent, further);
+  if (further.second > key_of(vec3(1.5, 0.0, 0.0), metric, exponent)) {
+    second_around(look, 2, period, seed, jitter, moves, metric, exponent, further);
   }
-  return second;
+  return further;
 }
 
 // The nearest border that is known: how far it is, and the point on its other side.
@@ -437,10 +451,14 @@ float border_of(Look3 look, Near3 near, vec3 point, const ivec3 period, int seed
 ///   within 3 % for each jitter
 /// @param center the nearest point, in the coordinate's space
 /// @param tile the cell. Its frame is as large as a grid cell, with the point in its middle
+/// @param neighbor the cell of the second nearest point, as seen from here
+/// @param share how much of the pixel the neighbour has: 0.5 on the border, 0 from half a pixel on;
+///   exact where the border is straight. `blend_tiles` mixes both cells by it
 void voronoi(vec2 uv, vec2 scale, const int metric, const float exponent, float jitter,
              const bool exact, const ivec2 period, int seed, float time, const float interval,
              const int steps, out float f1, out float f2, out float difference, out float border,
-             out float spacing, out vec2 center, out Tile tile) {
+             out float spacing, out vec2 center, out Tile tile, out Tile neighbor,
+             out float share) {
   const bool MOVES = interval > 0.0;
   vec2 p = uv * scale;
   vec2 corner = floor(p + 0.5);
@@ -458,12 +476,12 @@ void voronoi(vec2 uv, vec2 scale, const int metric, const float exponent, float 
   }
   Near2 near = nearest(look, period, seed, jitter, MOVES, metric, exponent, exact);
   vec2 point = vec2(near.offset) + (0.5 - 0.5 * jitter) + jitter * point_in(look, near.bits, MOVES);
-  float second = near.second;
+  Near2 both = near;
   if (exact) {
-    second = second_nearest(look, near, period, seed, jitter, MOVES, metric, exponent);
+    both = second_nearest(look, near, period, seed, jitter, MOVES, metric, exponent);
   }
   float near_1 = length_of(near.key, metric, exponent);
-  float near_2 = length_of(second, metric, exponent);
+  float near_2 = length_of(both.second, metric, exponent);
 
   vec2 width = footprint(uv) * abs(scale);
   float blur = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
@@ -487,6 +505,18 @@ void voronoi(vec2 uv, vec2 scale, const int metric, const float exponent, float 
   tile.up = vec2(0.0, 1.0);
   tile.largest = size;
   tile.tilt = vec2(1.0, 0.0);
+
+  vec2 next = vec2(both.second_offset) + (0.5 - 0.5 * jitter) +
+              jitter * point_in(look, both.second_bits, MOVES);
+  neighbor = tile;
+  neighbor.cell = cell_at(look, both.second_offset, period);
+  neighbor.local = 0.5 + (look.place - next) * sign(scale);
+  neighbor.seed = both.second_bits;
+  float edge = near_2 - near_1;
+  if (metric == METRIC_EUCLIDEAN) {
+    edge = half_way(look, point, next);
+  }
+  share = clamp(0.5 - max(edge, 0.0) / max(footprint(edge), 1e-7), 0.0, 0.5);
 }
 
 /// @param uv coordinate @default position
@@ -510,10 +540,13 @@ void voronoi(vec2 uv, vec2 scale, const int metric, const float exponent, float 
 ///   0.69, within 3 % for each jitter
 /// @param center the nearest point, in the coordinate's space
 /// @param tile the cell
+/// @param neighbor the cell of the second nearest point
+/// @param share how much of the pixel the neighbour has
 void voronoi(vec3 uv, vec3 scale, const int metric, const float exponent, float jitter,
              const bool exact, const ivec3 period, int seed, float time, const float interval,
              const int steps, out float f1, out float f2, out float difference, out float border,
-             out float spacing, out vec3 center, out Tile3 tile) {
+             out float spacing, out vec3 center, out Tile3 tile, out Tile3 neighbor,
+             out float share) {
   const bool MOVES = interval > 0.0;
   vec3 p = uv * scale;
   vec3 corner = floor(p + 0.5);
@@ -534,12 +567,12 @@ void voronoi(vec3 uv, vec3 scale, const int metric, const float exponent, float 
   }
   Near3 near = nearest(look, period, seed, jitter, MOVES, metric, exponent, exact);
   vec3 point = vec3(near.offset) + (0.5 - 0.5 * jitter) + jitter * point_in(look, near.bits, MOVES);
-  float second = near.second;
+  Near3 both = near;
   if (exact) {
-    second = second_nearest(look, near, period, seed, jitter, MOVES, metric, exponent);
+    both = second_nearest(look, near, period, seed, jitter, MOVES, metric, exponent);
   }
   float near_1 = length_of(near.key, metric, exponent);
-  float near_2 = length_of(second, metric, exponent);
+  float near_2 = length_of(both.second, metric, exponent);
 
   vec3 width = footprint(uv) * abs(scale);
   float blur = clamp(2.0 * max(max(width.x, width.y), width.z) - 1.0, 0.0, 1.0);
@@ -559,4 +592,16 @@ void voronoi(vec3 uv, vec3 scale, const int metric, const float exponent, float 
   tile.local = 0.5 + (look.place - point) * sign(scale);
   tile.size = size;
   tile.seed = near.bits;
+
+  vec3 next = vec3(both.second_offset) + (0.5 - 0.5 * jitter) +
+              jitter * point_in(look, both.second_bits, MOVES);
+  neighbor = tile;
+  neighbor.cell = cell_at(look, both.second_offset, period);
+  neighbor.local = 0.5 + (look.place - next) * sign(scale);
+  neighbor.seed = both.second_bits;
+  float edge = near_2 - near_1;
+  if (metric == METRIC_EUCLIDEAN) {
+    edge = half_way(look, point, next);
+  }
+  share = clamp(0.5 - max(edge, 0.0) / max(footprint(edge), 1e-7), 0.0, 0.5);
 }

@@ -80,10 +80,10 @@ class Scattered {
   }
 
   struct Found {
-    double f1 = 1e9, f2 = 1e9;
+    double f1 = 1e9, f2 = 1e9, f3 = 1e9;
     double border = 1e9;  // for straight distances
-    Cell cell{};
-    Place point{};
+    Cell cell{}, second_cell{};
+    Place point{}, second_point{};
   };
 
   // An exponent of infinity stands for the greatest component.
@@ -102,17 +102,25 @@ class Scattered {
 
   Found At(const Place& place, double exponent, bool with_border) const {
     Found found;
-    size_t nearest = 0;
+    size_t nearest = 0, second = 0;
     ForEach(place, [&](size_t n) {
       double length = Length(Minus(points_[n], place), exponent);
       if (length < found.f1) {
+        found.f3 = found.f2;
         found.f2 = found.f1;
         found.f1 = length;
+        second = nearest;
         nearest = n;
+      } else if (length < found.f2) {
+        found.f3 = found.f2;
+        found.f2 = length;
+        second = n;
       } else {
-        found.f2 = std::min(found.f2, length);
+        found.f3 = std::min(found.f3, length);
       }
     });
+    found.second_cell = cells_[second];
+    found.second_point = points_[second];
     found.cell = cells_[nearest];
     found.point = points_[nearest];
     if (!with_border) return found;

@@ -54,7 +54,7 @@ void PrintTo(const Case& what, std::ostream* out) {
 }
 
 struct Errors {
-  size_t f1 = 0, f2 = 0, cell = 0, center = 0, border = 0, samples = 0;
+  size_t f1 = 0, f2 = 0, cell = 0, center = 0, neighbor = 0, border = 0, samples = 0;
 };
 
 std::vector<Argument> Arguments(const std::vector<Vector>& places, const Case& what, int32_t seed,
@@ -95,6 +95,10 @@ void Compare(const Case& what, bool exact, int32_t seed, size_t count, std::mt19
       errors.cell += seen["tile"].Int(i, k) != truth.cell[k];
       errors.center += !(std::fabs(seen["center"].Float(i, k) - truth.point[k]) < kRounding);
     }
+    if (truth.f3 - truth.f2 < 2 * kRounding) continue;
+    for (size_t k = 0; k < kDimensions; ++k) {
+      errors.neighbor += seen["neighbor"].Int(i, k) != truth.second_cell[k];
+    }
   }
   errors.samples += count;
 }
@@ -120,6 +124,7 @@ class ExactVoronoiTest : public testing::TestWithParam<Case> {
     EXPECT_EQ(errors.f2, 0u) << "of " << errors.samples;
     EXPECT_EQ(errors.cell, 0u) << "of " << errors.samples;
     EXPECT_EQ(errors.center, 0u) << "of " << errors.samples;
+    EXPECT_EQ(errors.neighbor, 0u) << "of " << errors.samples;
     EXPECT_EQ(errors.border, 0u) << "of " << errors.samples;
   }
 };
@@ -366,7 +371,8 @@ TEST(SmoothVoronoiTest, IsTheSumOfItsTextAndNearF1WhereItIsSharp) {
     return RunBlock("smooth_voronoi", {{"uv", Vectors(places)},
                                        {"scale", Vectors({{1, 1}})},
                                        {"smoothness", Floats({smoothness})},
-                                       {"seed", Ints({8})}})["result"];
+                                       {"seed", Ints({8})},
+                                       {"time", Floats({0.0})}})["result"];
   };
   auto sharp = RunBlock("voronoi", Arguments(places, {"euclidean", 2, 1}, 8, true));
   for (double smoothness : {0.01, 0.1, 0.3}) {
@@ -393,11 +399,119 @@ TEST(SmoothVoronoiTest, FarAwayItIsItsMean) {
     std::vector<Vector> wide = {{0, 0}, {3, 0}, {0, 3}, {3, 3}};
     auto seen = RunBlock("smooth_voronoi", {{"uv", Vectors(wide)},
                                             {"scale", Vectors({{1, 1}})},
-                                            {"smoothness", Floats({smoothness})}});
+                                            {"smoothness", Floats({smoothness})},
+                                            {"time", Floats({0.0})}});
     EXPECT_NEAR(seen["result"].Float(0), mean, 0.006) << smoothness;
     auto known = RunBlock("smooth_voronoi_mean",
                           {{"dimensions", Ints({2})}, {"smoothness", Floats({smoothness})}});
     EXPECT_NEAR(known["result"].Float(0), mean, 0.006) << smoothness;
+  }
+}
+
+TEST(SmoothVoronoiTest, ItsPointsMoveAsThoseOfVoronoi) {
+  std::mt19937 random(4);
+  for (int dimensions : {2, 3}) {
+    const std::vector<Vector> places = Places(400, dimensions, 20, random);
+    double moved = 0;
+    std::vector<float> before;
+    // 10.3 and 16.3 are the same place of a movement that repeats after three intervals of 2.
+    for (double time : {1.7, 2.9, 10.3, 16.3}) {
+      auto arguments = Arguments(places, {"euclidean", 2, 1}, 8, true);
+      arguments.back() = {"time", Floats({time})};
+      arguments.push_back({"interval", Floats({2})});
+      arguments.push_back({"steps", Ints({3})});
+      const Values sharp = RunBlock("voronoi", arguments)["f1"];
+      const Values seen = RunBlock("smooth_voronoi", {{"uv", Vectors(places)},
+                                                      {"scale", Vectors({Vector(dimensions, 1.0)})},
+                                                      {"smoothness", Floats({0.001})},
+                                                      {"seed", Ints({8})},
+                                                      {"time", Floats({time})},
+                                                      {"interval", Floats({2})},
+                                                      {"steps", Ints({3})}})["result"];
+      for (size_t i = 0; i < places.size(); ++i) {
+        ASSERT_NEAR(seen.Float(i), sharp.Float(i), 0.012) << dimensions << " " << time;
+        if (!before.empty()) moved += std::fabs(seen.Float(i) - before[i]);
+        if (time == 16.3) {
+          ASSERT_NEAR(seen.Float(i), before[i], 1e-4);
+        }
+      }
+      before.clear();
+      for (size_t i = 0; i < places.size(); ++i) before.push_back(seen.Float(i));
+    }
+    EXPECT_GT(moved, 0.05 * 2 * static_cast<double>(places.size()));
+  }
+}
+
+// Cells of one colour: the reference colours places of a pixel by their nearest point, and takes
+// the mean. Only pixels that a third cell does not reach are compared.
+TEST(VoronoiTest, BordersBetweenColoursAreAntialiased) {
+  const std::string graph = R"({"texgraph": 1, "functions": {"paint": {"inputs": {"tile": "Tile"},
+      "nodes": {"n": {"block": "tile_random", "in": {"tile": "tile"}}}, "outputs": {"value": "n"}}},
+      "nodes": {
+      "cells": {"block": "voronoi", "in": {"scale": 1, "seed": 6, "metric": "METRIC"}},
+      "drawn": {"block": "blend_tiles", "in": {"image": "paint", "tile": "cells.tile",
+                "neighbor": "cells.neighbor", "share": "cells.share"}},
+      "plain": {"block": "tile_random", "in": {"tile": "cells.tile"}}},
+      "outputs": {"height": "drawn", "roughness": "plain"}})";
+  constexpr double kPixel = 0.02;
+  const Scattered<2> points(-1, 31, 6, 1);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> where(1, 29);
+  std::vector<Point> places;
+  for (int i = 0; i < 20000; ++i) places.push_back({where(random), where(random)});
+  for (const Case& what : {Case{"euclidean", 2, 1}, Case{"manhattan", 1, 1}}) {
+    std::string text = graph;
+    text.replace(text.find("METRIC"), 6, what.metric);
+    auto seen = RunGraph(text, places, {kPixel, kPixel}, 2e-3);
+    ASSERT_FALSE(seen.empty());
+    auto paint = [&](const std::array<int32_t, 2>& cell) {
+      return reference::Unit24(reference::Pcg(reference::CellBits<2>(cell, 6)));
+    };
+    size_t compared = 0;
+    double worst = 0, error = 0, flat_error = 0;
+    for (size_t i = 0; i < places.size(); ++i) {
+      const auto middle = points.At({places[i].x, places[i].y}, what.exponent, false);
+      if (middle.f2 - middle.f1 > 1.5 * kPixel || middle.f3 - middle.f2 < 3 * kPixel) continue;
+      if (++compared > 400) break;
+      // The pixel that the compiler sees is a box across the border, as wide as the footprint of
+      // the distance: for a straight border, kPixel whatever its direction.
+      const auto second = middle.second_point;
+      double across[2] = {second[0] - middle.point[0], second[1] - middle.point[1]};
+      const double length = std::hypot(across[0], across[1]);
+      double mean = 0;
+      constexpr int kSamples = 201;
+      if (what.exponent != 2) {
+        // The border is along an axis or a diagonal; its normal is that of f2 - f1.
+        auto gap = [&](double x, double y) {
+          return Scattered<2>::Length({second[0] - x, second[1] - y}, what.exponent) -
+                 Scattered<2>::Length({middle.point[0] - x, middle.point[1] - y}, what.exponent);
+        };
+        across[0] = gap(places[i].x - 1e-5, places[i].y) - gap(places[i].x + 1e-5, places[i].y);
+        across[1] = gap(places[i].x, places[i].y - 1e-5) - gap(places[i].x, places[i].y + 1e-5);
+      }
+      const double norm = what.exponent == 2 ? length : std::hypot(across[0], across[1]);
+      bool third = false, bent = norm == 0;
+      for (int k = 0; k < kSamples && !bent; ++k) {
+        const double t = kPixel * ((k + 0.5) / kSamples - 0.5) / norm;
+        const Scattered<2>::Place at = {places[i].x + t * across[0], places[i].y + t * across[1]};
+        const auto cell = points.At(at, what.exponent, false).cell;
+        third = third || (cell != middle.cell && cell != middle.second_cell);
+        // Not where the distance bends within the pixel.
+        for (size_t c = 0; c < 2 && what.exponent != 2; ++c) {
+          bent = bent || std::fabs(at[c] - middle.point[c]) < 2 * kPixel ||
+                 std::fabs(at[c] - second[c]) < 2 * kPixel;
+        }
+        mean += paint(cell) / kSamples;
+      }
+      if (third || bent) continue;
+      worst = std::max(worst, std::fabs(seen["height"].Float(i) - mean));
+      error += std::fabs(seen["height"].Float(i) - mean);
+      flat_error += std::fabs(seen["roughness"].Float(i) - mean);
+    }
+    EXPECT_GT(compared, 300u);
+    EXPECT_LT(worst, 0.01) << what.metric;
+    // Without the blend, every pixel on a border is jagged.
+    EXPECT_LT(20 * error, flat_error) << what.metric;
   }
 }
 

@@ -42,7 +42,7 @@ TEST(RandomGraphs, AreValidAndMeanTheSameOptimizedOrNot) {
 
 TEST(RandomGraphs, UseEveryBlock) {
   std::set<std::string> used;
-  for (uint32_t seed = 1; seed <= kGraphs; ++seed) used.merge(RandomGraph(seed).blocks);
+  for (uint32_t seed = 1; seed <= 2 * kGraphs; ++seed) used.merge(RandomGraph(seed).blocks);
   std::set<std::string> unused, usable = UsableBlocks();
   std::ranges::set_difference(usable, used, std::inserter(unused, unused.end()));
   EXPECT_THAT(unused, testing::IsEmpty());

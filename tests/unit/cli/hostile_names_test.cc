@@ -15,7 +15,7 @@ const std::vector<std::string>& EvilNames() {
                                                   "x\n#error",
                                                   "*/ } void main(){",
                                                   "//\\",
-                                                  "??/",
+                                                  "\?\?/",
                                                   "#extension GL_x : enable",
                                                   "a b",
                                                   "1abc",

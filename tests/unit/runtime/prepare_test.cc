@@ -174,7 +174,9 @@ TEST(Key, HiddenColorsDoNotCount) {
   EXPECT_NEAR(image.At(4, 0, 3), 128, 4);
   for (uint32_t x = 0; x < 16; ++x) {
     EXPECT_NEAR(image.At(x, 0, 0), full, 3) << x;
-    if (x != 4) EXPECT_NEAR(image.At(x, 0, 3), x > 4 && x < 8 ? 255 : 0, 4) << x;
+    if (x != 4) {
+      EXPECT_NEAR(image.At(x, 0, 3), x > 4 && x < 8 ? 255 : 0, 4) << x;
+    }
   }
 }
 
