@@ -2,9 +2,13 @@
 # The files of the block library, sorted by path. A file that is not here is not part of the program.
 set(TEXGRAPH_STDLIB_BLOCKS
   bombing/bomb.glsl
+  bombing/bomb3.glsl
+  bombing/bomb3_cells.glsl
+  bombing/bomb3_reach.glsl
   bombing/bomb_cells.glsl
   bombing/bomb_reach.glsl
   bombing/copy_bits.glsl
+  bombing/copy_bits3.glsl
   cellular/blend_tiles.glsl
   cellular/smooth_voronoi.glsl
   cellular/smooth_voronoi_mean.glsl

@@ -90,17 +90,22 @@ struct Tile1 {
   uint seed;
 };
 
-/// One cell of a grid in space, as seen from one point: a Tile of three dimensions.
+/// One cell of a grid in space, as seen from one point, or a body that lies there: a Tile of three
+/// dimensions.
 ///
 /// cell: which cell, as column, row and slice. All points of a cell have the same.
-/// local: the point in the cell, from (0, 0, 0) to (1, 1, 1).
-/// size: the cell's extent in texture space.
+/// local: the point in the cell's frame, from (0, 0, 0) to (1, 1, 1).
+/// size: the frame's extent in texture space.
 /// seed: random bits that all points of a cell share.
+/// right, up, toward: the directions of the frame's axes in texture space, of length 1.
 struct Tile3 {
   ivec3 cell;
   vec3 local;
   vec3 size;
   uint seed;
+  vec3 right;
+  vec3 up;
+  vec3 toward;
 };
 
 /// A surface at one point, all of its channels on one wire.

@@ -445,9 +445,8 @@ float border_of(Look3 look, Near3 near, vec3 point, const ivec3 period, int seed
 /// @param f1 distance to the nearest point, in grid cells
 /// @param f2 distance to the second nearest point
 /// @param difference f2 - f1: 0 on the borders of cells
-/// @param border distance to the border of the cell, in grid cells; exact for the euclidean metric
-///   alone. For the others half of f2 - f1, which is not above the distance as they measure it;
-///   lines along it are not as wide everywhere
+/// @param border distance to the border of the cell, in grid cells; exact for the euclidean metric.
+///   For the others half of f2 - f1, which is not above the distance
 /// @param spacing how far borders are from each other in the mean, in grid cells, for `joint`: 1,
 ///   within 3 % for each jitter
 /// @param center the nearest point, in the coordinate's space
@@ -536,8 +535,7 @@ void voronoi(vec2 uv, vec2 scale, const int metric, const float exponent, float 
 /// @param f1 distance to the nearest point, in grid cells
 /// @param f2 distance to the second nearest point
 /// @param difference f2 - f1: 0 on the borders of cells
-/// @param border distance to the border of the cell, in grid cells; exact for the euclidean metric
-///   alone
+/// @param border distance to the border of the cell, in grid cells
 /// @param spacing how far borders are from each other in the mean, in grid cells, for `joint`:
 ///   0.69, within 3 % for each jitter
 /// @param center the nearest point, in the coordinate's space
@@ -594,6 +592,9 @@ void voronoi(vec3 uv, vec3 scale, const int metric, const float exponent, float 
   tile.local = 0.5 + (look.place - point) * sign(scale);
   tile.size = size;
   tile.seed = near.bits;
+  tile.right = vec3(1.0, 0.0, 0.0);
+  tile.up = vec3(0.0, 1.0, 0.0);
+  tile.toward = vec3(0.0, 0.0, 1.0);
 
   vec3 next = vec3(both.second_offset) + (0.5 - 0.5 * jitter) +
               jitter * point_in(look, both.second_bits, MOVES);

@@ -95,6 +95,9 @@ void tile_transform(Tile3 tile, vec3 position, float scale, float rotation, cons
   inner.local = vec3(q, from_middle.z / size + 0.5);
   inner.size = size * tile.size;
   inner.seed = tile.seed;
+  inner.right = turn.x * tile.right + turn.y * tile.up;
+  inner.up = turn.x * tile.up - turn.y * tile.right;
+  inner.toward = tile.toward;
 
   float height = inner.local.z;
   float pixel = clamp(footprint(height), 1e-5, 1.0 / size);

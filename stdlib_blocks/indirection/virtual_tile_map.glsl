@@ -75,4 +75,7 @@ void virtual_tile_map(vec3 uv, ivec3 cells, int seed, const bool toroidal, out T
   tile.local = p - corner;
   tile.size = 1.0 / vec3(count);
   tile.seed = cell_hash(cell, seed);
+  tile.right = vec3(1.0, 0.0, 0.0);
+  tile.up = vec3(0.0, 1.0, 0.0);
+  tile.toward = vec3(0.0, 0.0, 1.0);
 }

@@ -7,3 +7,10 @@
 vec3 turn_normal(vec3 normal, Tile tile) {
   return vec3(normal.x * tile.right + normal.y * tile.up, normal.z);
 }
+
+/// Of a body in space all of the direction turns.
+/// @param normal in the frame, along its three axes
+/// @param tile whose frame it is
+vec3 turn_normal(vec3 normal, Tile3 tile) {
+  return normal.x * tile.right + normal.y * tile.up + normal.z * tile.toward;
+}

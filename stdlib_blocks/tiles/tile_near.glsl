@@ -14,3 +14,12 @@ float tile_near(Tile tile) {
   vec2 part = 4.0 + right * right + up * up;
   return 16.0 / (part.x * part.y);
 }
+
+/// Of cells in space it is the share of a pixel of a surface, along all three axes.
+/// @param tile the cell in space
+float tile_near(Tile3 tile) {
+  vec3 right = footprint_x(tile.local);
+  vec3 up = footprint_y(tile.local);
+  vec3 part = 4.0 + right * right + up * up;
+  return 64.0 / (part.x * part.y * part.z);
+}

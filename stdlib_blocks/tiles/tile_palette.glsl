@@ -7,3 +7,9 @@
 vec3 tile_palette(Tile tile, const vec3 colors[]) {
   return colors[int((tile.seed >> 16u) * uint(colors.length()) >> 16u)];
 }
+
+/// @param tile the cell in space
+/// @param colors the colours, red, green and blue @length 1 256
+vec3 tile_palette(Tile3 tile, const vec3 colors[]) {
+  return colors[int((tile.seed >> 16u) * uint(colors.length()) >> 16u)];
+}

@@ -3,3 +3,6 @@
 /// it is in every tile.
 /// @param tile the tile
 vec2 tile_uv(Tile tile) { return tile.local; }
+
+/// @param tile the cell in space
+vec3 tile_uv(Tile3 tile) { return tile.local; }

@@ -55,7 +55,7 @@ void ExpectNoHeavierThanByHand(const std::string& graph, const std::string& name
   Diagnostics diagnostics;
   CompileOptions options;
   options.target = Target::kSpirv;
-  auto compiled = Compile(sources.Add("g.json", graph), graph::DocumentFormat::kJson, options,
+  auto compiled = Compile(sources.Add("g.jsonc", graph), graph::DocumentFormat::kJsonc, options,
                           sources, diagnostics);
   ASSERT_TRUE(compiled) << FormatDiagnostics(diagnostics, sources, false);
   auto text = ReadFile(std::string(TEXGRAPH_SOURCE_DIR) + "/tests/bench/reference/" + name, 1 << 20,
@@ -89,6 +89,15 @@ TEST(Weight, VoronoiIsNotHeavierThanByHand) {
   ExpectNoHeavierThanByHand(*graph, "voronoi.frag");
 }
 
+// Lit balls in space, of which a surface shows the topmost.
+TEST(Weight, SpheresAreNotHeavierThanByHand) {
+  Diagnostics diagnostics;
+  auto graph = ReadFile(std::string(TEXGRAPH_SOURCE_DIR) + "/graphs/spheres/spheres.jsonc", 1 << 20,
+                        {}, diagnostics);
+  ASSERT_TRUE(graph);
+  ExpectNoHeavierThanByHand(*graph, "spheres.frag");
+}
+
 INSTANTIATE_TEST_SUITE_P(TextureBombing, WeightTest,
                          testing::Values(Promise{"daisies", 4, 50}, Promise{"circles", 1, 56}),
                          [](const auto& promise) { return std::string(promise.param.graph); });
@@ -105,7 +114,7 @@ TEST(Weight, CountsWhatComputes) {
     "outputs": {"color": "root"}})";
   CompileOptions options;
   options.target = Target::kSpirv;
-  auto compiled = Compile(sources.Add("g.json", graph), graph::DocumentFormat::kJson, options,
+  auto compiled = Compile(sources.Add("g.jsonc", graph), graph::DocumentFormat::kJsonc, options,
                           sources, diagnostics);
   ASSERT_TRUE(compiled) << FormatDiagnostics(diagnostics, sources, false);
   auto weight = WeightOf(compiled->spirv);

@@ -381,9 +381,8 @@ vec3 hsv_adjust(vec3 color, float hue, float value) {
 }
 
 // varied, of tile_random_hsv (tiles/tile_random_hsv.glsl)
-vec3 varied(Tile tile, vec3 color, vec2 tile_local_dx, vec2 tile_local_dy) {
-  float near = tile_near(tile_local_dx, tile_local_dy);
-  vec3 luck = mix(vec3(0.5), random3(tile.seed), near);
+vec3 varied(uint seed, float near, vec3 color) {
+  vec3 luck = mix(vec3(0.5), random3(seed), near);
   vec3 one = hsv_adjust(color, mix(-16.0, 16.0, luck.x), mix(0.7, 1.25, luck.z));
   float grey = 0.5 * (max(max(one.x, one.y), one.z) + min(min(one.x, one.y), one.z));
   return mix(mix(vec3(grey), one, 0.9870536), one, near);
@@ -541,7 +540,7 @@ void main() {
   // skin: lerp (math/lerp.glsl)
   vec3 skin = mix(belly, back, up);
   // own: tile_random_hsv (tiles/tile_random_hsv.glsl)
-  vec3 own = varied(rows_tile, skin, rows_tile_local_dx, rows_tile_local_dy);
+  vec3 own = varied(rows_tile.seed, tile_near(rows_tile_local_dx, rows_tile_local_dy), skin);
   // flecked: lerp (math/lerp.glsl)
   vec3 flecked = mix(own, vec3(0.008, 0.009, 0.012), dark);
   // rim: levels (color/levels.glsl)

@@ -61,10 +61,10 @@ float gradient_noise(vec2 uv, vec2 uv_dx, vec2 uv_dy, out float result_dx, out f
   vec2 fade_slope = ((t + t) * t + product) * sum + product2 * (difference + product3);
   uvec2 cell = uvec2(ivec2(base));
   uint number = uint(int(cell.x) & 3);
-  uint choice = number == 3u ? 0u : number + 1u;
+  uint choice2 = number == 3u ? 0u : number + 1u;
   uint number2 = uint(int(cell.y) & 3);
   uvec2 rows = hash(uvec2(number2, number2 == 3u ? 0u : number2 + 1u) + 129708002u);
-  uvec4 hash_value = hash(uvec4(number, choice, number, choice) + rows.xxyy);
+  uvec4 hash_value = hash(uvec4(number, choice2, number, choice2) + rows.xxyy);
   vec4 x = vec4(ivec4(hash_value)) * 4.656613e-10;
   vec4 y = uintBitsToFloat(floatBitsToUint(1.0 - abs(x)) ^ (hash_value << 31u));
   vec2 u = t - 1.0;
@@ -145,11 +145,11 @@ vec4 color_ramp(float position, float position_dx, float position_dy) {
     sum += difference * part_mean_value;
   }
   sum += (1.0 - below) * vec4(0.06, 0.075, 0.02, 1.0);
-  vec3 choice = vec3(0.06, 0.075, 0.02);
+  vec3 choice2 = vec3(0.06, 0.075, 0.02);
   if (sum.w > 0.0) {
-    choice = sum.xyz / max(sum.w, 1e-20);
+    choice2 = sum.xyz / max(sum.w, 1e-20);
   }
-  return vec4(choice, sum.w);
+  return vec4(choice2, sum.w);
 }
 
 // wrap_cell (tiles/wrap_cell.glsl)
@@ -352,9 +352,8 @@ vec3 hsv_adjust(vec3 color, float hue, float saturation, float value) {
 }
 
 // varied_own, of tile_random_hsv (tiles/tile_random_hsv.glsl)
-vec3 varied_own(Tile tile, vec3 color, vec2 tile_local_dx, vec2 tile_local_dy) {
-  float near = tile_near(tile_local_dx, tile_local_dy);
-  vec3 luck = mix(vec3(0.5), random3(tile.seed), near);
+vec3 varied_own(uint seed, float near, vec3 color) {
+  vec3 luck = mix(vec3(0.5), random3(seed), near);
   vec3 one = hsv_adjust(color, mix(-14.0, 10.0, luck.x), mix(0.7, 1.0, luck.y),
       mix(0.6, 1.4, luck.z));
   float grey = 0.5 * (max(max(one.x, one.y), one.z) + min(min(one.x, one.y), one.z));
@@ -375,7 +374,7 @@ vec4 blade(vec2 uv, Tile tile, vec2 uv_dx, vec2 uv_dy) {
   // green: lerp (math/lerp.glsl)
   vec3 green = mix(vec3(0.012, 0.045, 0.006), vec3(0.16, 0.32, 0.045), along);
   // own: tile_random_hsv (tiles/tile_random_hsv.glsl)
-  vec3 own = varied_own(tile, green, uv_dx, uv_dy);
+  vec3 own = varied_own(tile.seed, tile_near(uv_dx, uv_dy), green);
   // color: rgba (channels/rgba.glsl)
   vec4 color = vec4(own, shape);
   return color;
@@ -496,9 +495,9 @@ vec2 arm_of_low(Copy copy, vec2 copy_from_dx, vec2 copy_from_dy, out vec2 result
   return (c * copy.from + s * vec2(copy.from.y, -copy.from.x)) / pose.x;
 }
 
-// tile_weighted_choice (tiles/tile_weighted_choice.glsl)
-int tile_weighted_choice(Tile tile) {
-  float place = float(hash(tile.seed) >> 8u) * 5.9604645e-8 * 7.0;
+// choice, of tile_weighted_choice (tiles/tile_weighted_choice.glsl)
+int choice(uint seed) {
+  float place = float(hash(seed) >> 8u) * 5.9604645e-8 * 7.0;
   return int(place >= 5.0);
 }
 
@@ -506,8 +505,7 @@ int tile_weighted_choice(Tile tile) {
 vec4 paint_low(Copy copy, vec2 copy_from_dx, vec2 copy_from_dy) {
   vec2 result_dx, result_dy;
   vec2 arm_of_low_value = arm_of_low(copy, copy_from_dx, copy_from_dy, result_dx, result_dy);
-  Tile tile = Tile(copy.seed);
-  vec3 vector = vec3(arm_of_low_value + 0.5, float(tile_weighted_choice(tile)));
+  vec3 vector = vec3(arm_of_low_value + 0.5, float(choice(copy.seed)));
   vec4 seen = textureGrad(flowers, vector, result_dx, result_dy);
   return seen;
 }
@@ -618,9 +616,8 @@ vec2 arm_of_middle(Copy copy, vec2 copy_from_dx, vec2 copy_from_dy, out vec2 res
 }
 
 // varied_own, of tile_random_hsv (tiles/tile_random_hsv.glsl)
-vec3 varied_own2(Tile tile, vec3 color, vec2 tile_local_dx, vec2 tile_local_dy) {
-  float near = tile_near(tile_local_dx, tile_local_dy);
-  vec3 luck = mix(vec3(0.5), random3(tile.seed), near);
+vec3 varied_own2(uint seed, float near, vec3 color) {
+  vec3 luck = mix(vec3(0.5), random3(seed), near);
   vec3 one = hsv_adjust(color, mix(-12.0, 14.0, luck.x), 1.0, mix(0.8, 1.2, luck.z));
   float grey = 0.5 * (max(max(one.x, one.y), one.z) + min(min(one.x, one.y), one.z));
   return mix(mix(vec3(grey), one, 0.99144197), one, near);
@@ -631,10 +628,11 @@ vec4 paint_middle(Copy copy, vec2 copy_from_dx, vec2 copy_from_dy) {
   vec2 tile_local_dx, tile_local_dy;
   vec2 arm_of_middle_value = arm_of_middle(copy, copy_from_dx, copy_from_dy, tile_local_dx,
       tile_local_dy);
-  Tile tile = Tile(copy.seed);
   vec4 texel = textureGrad(flowers, vec3(arm_of_middle_value + 0.5, 3.0), tile_local_dx,
       tile_local_dy);
-  vec4 seen = vec4(varied_own2(tile, texel.xyz, tile_local_dx, tile_local_dy), texel.w);
+  vec3 varied_own_value = varied_own2(copy.seed, tile_near(tile_local_dx, tile_local_dy),
+      texel.xyz);
+  vec4 seen = vec4(varied_own_value, texel.w);
   return seen;
 }
 
@@ -744,9 +742,8 @@ vec2 arm_of_high(Copy copy, vec2 copy_from_dx, vec2 copy_from_dy, out vec2 resul
 }
 
 // varied_own, of tile_random_hsv (tiles/tile_random_hsv.glsl)
-vec3 varied_own3(Tile tile, vec3 color, vec2 tile_local_dx, vec2 tile_local_dy) {
-  float near = tile_near(tile_local_dx, tile_local_dy);
-  vec3 luck = mix(vec3(0.5), random3(tile.seed), near);
+vec3 varied_own3(uint seed, float near, vec3 color) {
+  vec3 luck = mix(vec3(0.5), random3(seed), near);
   vec3 one = hsv_adjust(color, mix(-5.0, 4.0, luck.x), 1.0, mix(0.75, 1.15, luck.z));
   float grey = 0.5 * (max(max(one.x, one.y), one.z) + min(min(one.x, one.y), one.z));
   return mix(mix(vec3(grey), one, 0.99897224), one, near);
@@ -757,10 +754,11 @@ vec4 paint_high(Copy copy, vec2 copy_from_dx, vec2 copy_from_dy) {
   vec2 tile_local_dx, tile_local_dy;
   vec2 arm_of_high_value = arm_of_high(copy, copy_from_dx, copy_from_dy, tile_local_dx,
       tile_local_dy);
-  Tile tile = Tile(copy.seed);
   vec4 texel = textureGrad(flowers, vec3(arm_of_high_value + 0.5, 2.0), tile_local_dx,
       tile_local_dy);
-  vec4 seen = vec4(varied_own3(tile, texel.xyz, tile_local_dx, tile_local_dy), texel.w);
+  vec3 varied_own_value = varied_own3(copy.seed, tile_near(tile_local_dx, tile_local_dy),
+      texel.xyz);
+  vec4 seen = vec4(varied_own_value, texel.w);
   return seen;
 }
 

@@ -352,10 +352,8 @@ vec3 flower_field_hsv_adjust(vec3 color, float hue, float saturation, float valu
 }
 
 // varied_own, of tile_random_hsv (tiles/tile_random_hsv.glsl)
-vec3 flower_field_varied_own(flower_field_Tile tile, vec3 color, vec2 tile_local_dx,
-    vec2 tile_local_dy) {
-  float near = flower_field_tile_near(tile_local_dx, tile_local_dy);
-  vec3 luck = mix(vec3(0.5), flower_field_random3(tile.seed), near);
+vec3 flower_field_varied_own(uint seed, float near, vec3 color) {
+  vec3 luck = mix(vec3(0.5), flower_field_random3(seed), near);
   vec3 one = flower_field_hsv_adjust(color, mix(-14.0, 10.0, luck.x), mix(0.7, 1.0, luck.y),
       mix(0.6, 1.4, luck.z));
   float grey = 0.5 * (max(max(one.x, one.y), one.z) + min(min(one.x, one.y), one.z));
@@ -376,7 +374,7 @@ vec4 flower_field_blade(vec2 uv, flower_field_Tile tile, vec2 uv_dx, vec2 uv_dy)
   // green: lerp (math/lerp.glsl)
   vec3 green = mix(vec3(0.012, 0.045, 0.006), vec3(0.16, 0.32, 0.045), along);
   // own: tile_random_hsv (tiles/tile_random_hsv.glsl)
-  vec3 own = flower_field_varied_own(tile, green, uv_dx, uv_dy);
+  vec3 own = flower_field_varied_own(tile.seed, flower_field_tile_near(uv_dx, uv_dy), green);
   // color: rgba (channels/rgba.glsl)
   vec4 color = vec4(own, shape);
   return color;
@@ -500,9 +498,9 @@ vec2 flower_field_arm_of_low(flower_field_Copy copy, vec2 copy_from_dx, vec2 cop
   return (c * copy.from + s * vec2(copy.from.y, -copy.from.x)) / pose.x;
 }
 
-// tile_weighted_choice (tiles/tile_weighted_choice.glsl)
-int flower_field_tile_weighted_choice(flower_field_Tile tile) {
-  float place = float(flower_field_hash(tile.seed) >> 8u) * 5.9604645e-8 * 7.0;
+// choice, of tile_weighted_choice (tiles/tile_weighted_choice.glsl)
+int flower_field_choice(uint seed) {
+  float place = float(flower_field_hash(seed) >> 8u) * 5.9604645e-8 * 7.0;
   return int(place >= 5.0);
 }
 
@@ -511,8 +509,7 @@ vec4 flower_field_paint_low(flower_field_Copy copy, vec2 copy_from_dx, vec2 copy
   vec2 result_dx, result_dy;
   vec2 arm_of_low_value = flower_field_arm_of_low(copy, copy_from_dx, copy_from_dy, result_dx,
       result_dy);
-  flower_field_Tile tile = flower_field_Tile(copy.seed);
-  vec3 vector = vec3(arm_of_low_value + 0.5, float(flower_field_tile_weighted_choice(tile)));
+  vec3 vector = vec3(arm_of_low_value + 0.5, float(flower_field_choice(copy.seed)));
   vec4 seen = textureGrad(flowers, vector, result_dx, result_dy);
   return seen;
 }
@@ -626,10 +623,8 @@ vec2 flower_field_arm_of_middle(flower_field_Copy copy, vec2 copy_from_dx, vec2 
 }
 
 // varied_own, of tile_random_hsv (tiles/tile_random_hsv.glsl)
-vec3 flower_field_varied_own2(flower_field_Tile tile, vec3 color, vec2 tile_local_dx,
-    vec2 tile_local_dy) {
-  float near = flower_field_tile_near(tile_local_dx, tile_local_dy);
-  vec3 luck = mix(vec3(0.5), flower_field_random3(tile.seed), near);
+vec3 flower_field_varied_own2(uint seed, float near, vec3 color) {
+  vec3 luck = mix(vec3(0.5), flower_field_random3(seed), near);
   vec3 one = flower_field_hsv_adjust(color, mix(-12.0, 14.0, luck.x), 1.0, mix(0.8, 1.2, luck.z));
   float grey = 0.5 * (max(max(one.x, one.y), one.z) + min(min(one.x, one.y), one.z));
   return mix(mix(vec3(grey), one, 0.99144197), one, near);
@@ -640,11 +635,11 @@ vec4 flower_field_paint_middle(flower_field_Copy copy, vec2 copy_from_dx, vec2 c
   vec2 tile_local_dx, tile_local_dy;
   vec2 arm_of_middle_value = flower_field_arm_of_middle(copy, copy_from_dx, copy_from_dy,
       tile_local_dx, tile_local_dy);
-  flower_field_Tile tile = flower_field_Tile(copy.seed);
   vec4 texel = textureGrad(flowers, vec3(arm_of_middle_value + 0.5, 3.0), tile_local_dx,
       tile_local_dy);
-  vec4 seen = vec4(flower_field_varied_own2(tile, texel.xyz, tile_local_dx, tile_local_dy),
-      texel.w);
+  vec3 varied_own_value = flower_field_varied_own2(copy.seed,
+      flower_field_tile_near(tile_local_dx, tile_local_dy), texel.xyz);
+  vec4 seen = vec4(varied_own_value, texel.w);
   return seen;
 }
 
@@ -757,10 +752,8 @@ vec2 flower_field_arm_of_high(flower_field_Copy copy, vec2 copy_from_dx, vec2 co
 }
 
 // varied_own, of tile_random_hsv (tiles/tile_random_hsv.glsl)
-vec3 flower_field_varied_own3(flower_field_Tile tile, vec3 color, vec2 tile_local_dx,
-    vec2 tile_local_dy) {
-  float near = flower_field_tile_near(tile_local_dx, tile_local_dy);
-  vec3 luck = mix(vec3(0.5), flower_field_random3(tile.seed), near);
+vec3 flower_field_varied_own3(uint seed, float near, vec3 color) {
+  vec3 luck = mix(vec3(0.5), flower_field_random3(seed), near);
   vec3 one = flower_field_hsv_adjust(color, mix(-5.0, 4.0, luck.x), 1.0, mix(0.75, 1.15, luck.z));
   float grey = 0.5 * (max(max(one.x, one.y), one.z) + min(min(one.x, one.y), one.z));
   return mix(mix(vec3(grey), one, 0.99897224), one, near);
@@ -771,11 +764,11 @@ vec4 flower_field_paint_high(flower_field_Copy copy, vec2 copy_from_dx, vec2 cop
   vec2 tile_local_dx, tile_local_dy;
   vec2 arm_of_high_value = flower_field_arm_of_high(copy, copy_from_dx, copy_from_dy, tile_local_dx,
       tile_local_dy);
-  flower_field_Tile tile = flower_field_Tile(copy.seed);
   vec4 texel = textureGrad(flowers, vec3(arm_of_high_value + 0.5, 2.0), tile_local_dx,
       tile_local_dy);
-  vec4 seen = vec4(flower_field_varied_own3(tile, texel.xyz, tile_local_dx, tile_local_dy),
-      texel.w);
+  vec3 varied_own_value = flower_field_varied_own3(copy.seed,
+      flower_field_tile_near(tile_local_dx, tile_local_dy), texel.xyz);
+  vec4 seen = vec4(varied_own_value, texel.w);
   return seen;
 }
 

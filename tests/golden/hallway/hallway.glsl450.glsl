@@ -161,13 +161,27 @@ vec3 hallway_hsv_adjust(vec3 color, float hue, float saturation, float value) {
 }
 
 // varied, of tile_random_hsv (tiles/tile_random_hsv.glsl)
-vec3 hallway_varied(hallway_Tile tile, vec3 color, vec2 tile_local_dx, vec2 tile_local_dy) {
-  float near = hallway_tile_near(tile_local_dx, tile_local_dy);
-  vec3 luck = mix(vec3(0.5), hallway_random3(tile.seed), near);
+vec3 hallway_varied(uint seed, float near, vec3 color) {
+  vec3 luck = mix(vec3(0.5), hallway_random3(seed), near);
   vec3 one = hallway_hsv_adjust(color, mix(-6.0, 8.0, luck.x), mix(0.7, 1.1, luck.y),
       mix(0.55, 1.1, luck.z));
   float grey = 0.5 * (max(max(one.x, one.y), one.z) + min(min(one.x, one.y), one.z));
   return mix(mix(vec3(grey), one, 0.9975142), one, near);
+}
+
+// brick_surface (function of the graph)
+hallway_Material hallway_brick_surface(vec2 uv, hallway_Tile tile, vec2 uv_dx, vec2 uv_dy) {
+  // picture: image (images/image.glsl)
+  vec4 picture = textureGrad(brick, uv, uv_dx, uv_dy);
+  // texel: image (images/image.glsl)
+  vec4 texel = textureGrad(brick_relief, uv, uv_dx, uv_dy);
+  // slope: normal_map (materials/normal_map.glsl)
+  vec3 slope = hallway_normal_map_slope(texel.xyz, 0.7);
+  // surface: material (materials/material.glsl)
+  vec4 vector = vec4(hallway_varied(tile.seed, hallway_tile_near(uv_dx, uv_dy), picture.xyz),
+      picture.w);
+  hallway_Material surface = hallway_Material(vector, slope, -0.14, 0.85, 0.0);
+  return surface;
 }
 
 // draw_brick_layer, of material_layer (materials/material_layer.glsl)
@@ -178,14 +192,9 @@ hallway_Material hallway_draw_brick_layer(hallway_Tile tile, vec2 tile_local_dx,
   vec2 inner_local_dx, inner_local_dy;
   hallway_layer_element_brick_layer(tile, tile_local_dx, tile_local_dy, alpha, inner,
       inner_local_dx, inner_local_dy);
-  vec4 texel = textureGrad(brick, inner.local, inner_local_dx, inner_local_dy);
-  vec3 vector = textureGrad(brick_relief, inner.local, inner_local_dx, inner_local_dy).xyz;
-  vec3 normal_map_slope_value = hallway_normal_map_slope(vector, 0.7);
-  vec4 vector2 = vec4(hallway_varied(inner, texel.xyz, inner_local_dx, inner_local_dy),
-      texel.w * alpha);
-  vec3 vector3 = vec3(normal_map_slope_value.x * inner.right + normal_map_slope_value.y * inner.up,
-      normal_map_slope_value.z);
-  hallway_Material seen = hallway_Material(vector2, vector3, -0.14, 0.85, 0.0);
+  hallway_Material seen = hallway_brick_surface(inner.local, inner, inner_local_dx, inner_local_dy);
+  vec3 vector = vec3(seen.normal.x * inner.right + seen.normal.y * inner.up, seen.normal.z);
+  seen = hallway_Material(vec4(seen.color.xyz, seen.color.w * alpha), vector, -0.14, 0.85, 0.0);
   return seen;
 }
 

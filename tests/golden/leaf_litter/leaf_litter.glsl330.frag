@@ -112,9 +112,9 @@ vec2 arm_of_old(Copy copy, vec2 copy_from_dx, vec2 copy_from_dy, out vec2 result
   return (c * copy.from + s * vec2(copy.from.y, -copy.from.x)) / pose.x;
 }
 
-// tile_weighted_choice (tiles/tile_weighted_choice.glsl)
-int tile_weighted_choice(Tile tile) {
-  float place = float(hash(tile.seed) >> 8u) * 5.9604645e-8 * 9.0;
+// choice, of tile_weighted_choice (tiles/tile_weighted_choice.glsl)
+int choice(uint seed) {
+  float place = float(hash(seed) >> 8u) * 5.9604645e-8 * 9.0;
   return int(place >= 2.0) + int(place >= 4.0) + int(place >= 5.0);
 }
 
@@ -213,9 +213,8 @@ vec3 hsv_adjust(vec3 color, float hue, float saturation, float value) {
 }
 
 // varied, of tile_random_hsv (tiles/tile_random_hsv.glsl)
-vec3 varied(Tile tile, vec3 color, vec2 tile_local_dx, vec2 tile_local_dy) {
-  float near = tile_near(tile_local_dx, tile_local_dy);
-  vec3 luck = mix(vec3(0.5), random3(tile.seed), near);
+vec3 varied(uint seed, float near, vec3 color) {
+  vec3 luck = mix(vec3(0.5), random3(seed), near);
   vec3 one = hsv_adjust(color, mix(-3.0, 5.0, luck.x), mix(0.9, 1.03, luck.y),
       mix(0.55, 1.1, luck.z));
   float grey = 0.5 * (max(max(one.x, one.y), one.z) + min(min(one.x, one.y), one.z));
@@ -225,7 +224,7 @@ vec3 varied(Tile tile, vec3 color, vec2 tile_local_dx, vec2 tile_local_dy) {
 // leaf (function of the graph)
 vec4 leaf_withered(vec2 uv, Tile tile, vec2 uv_dx, vec2 uv_dy) {
   // kind: tile_weighted_choice (tiles/tile_weighted_choice.glsl)
-  int kind = tile_weighted_choice(tile);
+  int kind = choice(tile.seed);
   // place: uv_transform (images/uv_transform.glsl)
   vec2 place_dx = mat2(1.1363636, -0.0, 0.0, 1.1363636) * uv_dx;
   vec2 place_dy = mat2(1.1363636, -0.0, 0.0, 1.1363636) * uv_dy;
@@ -243,7 +242,7 @@ vec4 leaf_withered(vec2 uv, Tile tile, vec2 uv_dx, vec2 uv_dy) {
   // shade: levels (color/levels.glsl)
   float shade = 0.75 * level(soft.w, soft_dx.w, soft_dy.w);
   // dull: brightness_contrast (color/brightness_contrast.glsl)
-  vec3 product = varied(tile, picture.xyz, uv_dx, uv_dy) * 0.34;
+  vec3 product = varied(tile.seed, tile_near(uv_dx, uv_dy), picture.xyz) * 0.34;
   // old: saturate (color/saturate.glsl)
   vec3 blend = mix(vec3(dot(product, vec3(0.2126, 0.7152, 0.0722))), product, 0.75);
   // lying: over (layers/over.glsl)
@@ -341,10 +340,10 @@ float gradient_noise(vec2 uv) {
   vec2 fade = t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
   uvec2 cell = uvec2(ivec2(base));
   uint number = uint(wrap_cell(int(cell.x), 3));
-  uint choice = number == 2u ? 0u : number + 1u;
+  uint choice2 = number == 2u ? 0u : number + 1u;
   uint number2 = uint(wrap_cell(int(cell.y), 3));
   uvec2 rows = hash(uvec2(number2, number2 == 2u ? 0u : number2 + 1u) + 678955108u);
-  uvec4 hash_value = hash(uvec4(number, choice, number, choice) + rows.xxyy);
+  uvec4 hash_value = hash(uvec4(number, choice2, number, choice2) + rows.xxyy);
   vec4 x = vec4(ivec4(hash_value)) * 4.656613e-10;
   vec4 y = uintBitsToFloat(floatBitsToUint(1.0 - abs(x)) ^ (hash_value << 31u));
   vec2 u = t - 1.0;
@@ -439,7 +438,7 @@ vec2 arm_of_fresh(Copy copy, vec2 copy_from_dx, vec2 copy_from_dy, out vec2 resu
 // leaf (function of the graph)
 vec4 leaf_fresh(vec2 uv, Tile tile, vec2 uv_dx, vec2 uv_dy) {
   // kind: tile_weighted_choice (tiles/tile_weighted_choice.glsl)
-  int kind = tile_weighted_choice(tile);
+  int kind = choice(tile.seed);
   // place: uv_transform (images/uv_transform.glsl)
   vec2 place_dx = mat2(1.1363636, -0.0, 0.0, 1.1363636) * uv_dx;
   vec2 place_dy = mat2(1.1363636, -0.0, 0.0, 1.1363636) * uv_dy;
@@ -457,7 +456,7 @@ vec4 leaf_fresh(vec2 uv, Tile tile, vec2 uv_dx, vec2 uv_dy) {
   // shade: levels (color/levels.glsl)
   float shade = 0.75 * level(soft.w, soft_dx.w, soft_dy.w);
   // own: tile_random_hsv (tiles/tile_random_hsv.glsl)
-  vec3 varied_value = varied(tile, picture.xyz, uv_dx, uv_dy);
+  vec3 varied_value = varied(tile.seed, tile_near(uv_dx, uv_dy), picture.xyz);
   // lying: over (layers/over.glsl)
   float blend = mix(shade, 1.0, picture.w);
   vec3 blend2 = mix(vec3(0.01, 0.006, 0.003), varied_value, picture.w / max(blend, 1e-20));

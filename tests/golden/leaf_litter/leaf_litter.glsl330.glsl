@@ -110,9 +110,9 @@ vec2 leaf_litter_arm_of_old(leaf_litter_Copy copy, vec2 copy_from_dx, vec2 copy_
   return (c * copy.from + s * vec2(copy.from.y, -copy.from.x)) / pose.x;
 }
 
-// tile_weighted_choice (tiles/tile_weighted_choice.glsl)
-int leaf_litter_tile_weighted_choice(leaf_litter_Tile tile) {
-  float place = float(leaf_litter_hash(tile.seed) >> 8u) * 5.9604645e-8 * 9.0;
+// choice, of tile_weighted_choice (tiles/tile_weighted_choice.glsl)
+int leaf_litter_choice(uint seed) {
+  float place = float(leaf_litter_hash(seed) >> 8u) * 5.9604645e-8 * 9.0;
   return int(place >= 2.0) + int(place >= 4.0) + int(place >= 5.0);
 }
 
@@ -212,9 +212,8 @@ vec3 leaf_litter_hsv_adjust(vec3 color, float hue, float saturation, float value
 }
 
 // varied, of tile_random_hsv (tiles/tile_random_hsv.glsl)
-vec3 leaf_litter_varied(leaf_litter_Tile tile, vec3 color, vec2 tile_local_dx, vec2 tile_local_dy) {
-  float near = leaf_litter_tile_near(tile_local_dx, tile_local_dy);
-  vec3 luck = mix(vec3(0.5), leaf_litter_random3(tile.seed), near);
+vec3 leaf_litter_varied(uint seed, float near, vec3 color) {
+  vec3 luck = mix(vec3(0.5), leaf_litter_random3(seed), near);
   vec3 one = leaf_litter_hsv_adjust(color, mix(-3.0, 5.0, luck.x), mix(0.9, 1.03, luck.y),
       mix(0.55, 1.1, luck.z));
   float grey = 0.5 * (max(max(one.x, one.y), one.z) + min(min(one.x, one.y), one.z));
@@ -224,7 +223,7 @@ vec3 leaf_litter_varied(leaf_litter_Tile tile, vec3 color, vec2 tile_local_dx, v
 // leaf (function of the graph)
 vec4 leaf_litter_leaf_withered(vec2 uv, leaf_litter_Tile tile, vec2 uv_dx, vec2 uv_dy) {
   // kind: tile_weighted_choice (tiles/tile_weighted_choice.glsl)
-  int kind = leaf_litter_tile_weighted_choice(tile);
+  int kind = leaf_litter_choice(tile.seed);
   // place: uv_transform (images/uv_transform.glsl)
   vec2 place_dx = mat2(1.1363636, -0.0, 0.0, 1.1363636) * uv_dx;
   vec2 place_dy = mat2(1.1363636, -0.0, 0.0, 1.1363636) * uv_dy;
@@ -242,7 +241,8 @@ vec4 leaf_litter_leaf_withered(vec2 uv, leaf_litter_Tile tile, vec2 uv_dx, vec2 
   // shade: levels (color/levels.glsl)
   float shade = 0.75 * leaf_litter_level(soft.w, soft_dx.w, soft_dy.w);
   // dull: brightness_contrast (color/brightness_contrast.glsl)
-  vec3 product = leaf_litter_varied(tile, picture.xyz, uv_dx, uv_dy) * 0.34;
+  vec3 product = leaf_litter_varied(tile.seed, leaf_litter_tile_near(uv_dx, uv_dy), picture.xyz)
+      * 0.34;
   // old: saturate (color/saturate.glsl)
   vec3 blend = mix(vec3(dot(product, vec3(0.2126, 0.7152, 0.0722))), product, 0.75);
   // lying: over (layers/over.glsl)
@@ -442,7 +442,7 @@ vec2 leaf_litter_arm_of_fresh(leaf_litter_Copy copy, vec2 copy_from_dx, vec2 cop
 // leaf (function of the graph)
 vec4 leaf_litter_leaf_fresh(vec2 uv, leaf_litter_Tile tile, vec2 uv_dx, vec2 uv_dy) {
   // kind: tile_weighted_choice (tiles/tile_weighted_choice.glsl)
-  int kind = leaf_litter_tile_weighted_choice(tile);
+  int kind = leaf_litter_choice(tile.seed);
   // place: uv_transform (images/uv_transform.glsl)
   vec2 place_dx = mat2(1.1363636, -0.0, 0.0, 1.1363636) * uv_dx;
   vec2 place_dy = mat2(1.1363636, -0.0, 0.0, 1.1363636) * uv_dy;
@@ -460,7 +460,8 @@ vec4 leaf_litter_leaf_fresh(vec2 uv, leaf_litter_Tile tile, vec2 uv_dx, vec2 uv_
   // shade: levels (color/levels.glsl)
   float shade = 0.75 * leaf_litter_level(soft.w, soft_dx.w, soft_dy.w);
   // own: tile_random_hsv (tiles/tile_random_hsv.glsl)
-  vec3 varied_value = leaf_litter_varied(tile, picture.xyz, uv_dx, uv_dy);
+  vec3 varied_value = leaf_litter_varied(tile.seed, leaf_litter_tile_near(uv_dx, uv_dy),
+      picture.xyz);
   // lying: over (layers/over.glsl)
   float blend = mix(shade, 1.0, picture.w);
   vec3 blend2 = mix(vec3(0.01, 0.006, 0.003), varied_value, picture.w / max(blend, 1e-20));

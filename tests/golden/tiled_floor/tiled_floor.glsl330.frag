@@ -202,9 +202,8 @@ vec3 hsv_adjust(vec3 color, float hue, float saturation, float value) {
 }
 
 // varied, of tile_random_hsv (tiles/tile_random_hsv.glsl)
-vec3 varied(Tile tile, vec3 color, vec2 tile_local_dx, vec2 tile_local_dy) {
-  float near = tile_near(tile_local_dx, tile_local_dy);
-  vec3 luck = mix(vec3(0.5), random3(tile.seed), near);
+vec3 varied(uint seed, float near, vec3 color) {
+  vec3 luck = mix(vec3(0.5), random3(seed), near);
   vec3 one = hsv_adjust(color, mix(-7.0, 7.0, luck.x), mix(0.85, 1.1, luck.y),
       mix(0.75, 1.15, luck.z));
   float grey = 0.5 * (max(max(one.x, one.y), one.z) + min(min(one.x, one.y), one.z));
@@ -224,7 +223,7 @@ Material glazed_tile(vec2 uv, Tile tile, vec2 uv_dx, vec2 uv_dy) {
   // palette: color_ramp (color/color_ramp.glsl)
   vec4 palette = color_ramp(lot);
   // batch: tile_random_hsv (tiles/tile_random_hsv.glsl)
-  vec3 batch = varied(tile, palette.xyz, uv_dx, uv_dy);
+  vec3 batch = varied(tile.seed, tile_near(uv_dx, uv_dy), palette.xyz);
   // color: multiply (math/multiply.glsl)
   vec3 color = picture.xyz * batch;
   // ochre: threshold (math/threshold.glsl)

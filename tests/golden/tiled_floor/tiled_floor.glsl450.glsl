@@ -196,9 +196,8 @@ vec3 tiled_floor_hsv_adjust(vec3 color, float hue, float saturation, float value
 }
 
 // varied, of tile_random_hsv (tiles/tile_random_hsv.glsl)
-vec3 tiled_floor_varied(tiled_floor_Tile tile, vec3 color, vec2 tile_local_dx, vec2 tile_local_dy) {
-  float near = tiled_floor_tile_near(tile_local_dx, tile_local_dy);
-  vec3 luck = mix(vec3(0.5), tiled_floor_random3(tile.seed), near);
+vec3 tiled_floor_varied(uint seed, float near, vec3 color) {
+  vec3 luck = mix(vec3(0.5), tiled_floor_random3(seed), near);
   vec3 one = tiled_floor_hsv_adjust(color, mix(-7.0, 7.0, luck.x), mix(0.85, 1.1, luck.y),
       mix(0.75, 1.15, luck.z));
   float grey = 0.5 * (max(max(one.x, one.y), one.z) + min(min(one.x, one.y), one.z));
@@ -219,7 +218,7 @@ tiled_floor_Material tiled_floor_glazed_tile(vec2 uv, tiled_floor_Tile tile, vec
   // palette: color_ramp (color/color_ramp.glsl)
   vec4 palette = tiled_floor_color_ramp(lot);
   // batch: tile_random_hsv (tiles/tile_random_hsv.glsl)
-  vec3 batch = tiled_floor_varied(tile, palette.xyz, uv_dx, uv_dy);
+  vec3 batch = tiled_floor_varied(tile.seed, tiled_floor_tile_near(uv_dx, uv_dy), palette.xyz);
   // color: multiply (math/multiply.glsl)
   vec3 color = picture.xyz * batch;
   // ochre: threshold (math/threshold.glsl)

@@ -100,9 +100,8 @@ vec3 hsv_adjust(float hue, float saturation, float value) {
 }
 
 // varied, of tile_random_hsv (tiles/tile_random_hsv.glsl)
-vec3 varied(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
-  float near = tile_near(tile_local_dx, tile_local_dy);
-  vec3 luck = mix(vec3(0.5), random3(tile.seed), near);
+vec3 varied(uint seed, float near) {
+  vec3 luck = mix(vec3(0.5), random3(seed), near);
   vec3 one = hsv_adjust(mix(-5.0, 9.0, luck.x), mix(0.65, 1.1, luck.y), mix(0.5, 1.25, luck.z));
   float grey = 0.5 * (max(max(one.x, one.y), one.z) + min(min(one.x, one.y), one.z));
   return mix(mix(vec3(grey), one, 0.9975142), one, near);
@@ -326,7 +325,7 @@ void main() {
   vec2 grid_local_dx, grid_local_dy;
   brick_grid(uv, uv_dx, uv_dy, grid, grid_local_dx, grid_local_dy);
   // tint: tile_random_hsv (tiles/tile_random_hsv.glsl)
-  vec3 tint = varied(grid, grid_local_dx, grid_local_dy);
+  vec3 tint = varied(grid.seed, tile_near(grid_local_dx, grid_local_dy));
   // bricks: material_layer (materials/material_layer.glsl)
   Tile bricks_inner;
   vec2 bricks_inner_local_dx, bricks_inner_local_dy;

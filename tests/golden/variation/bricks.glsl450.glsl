@@ -93,9 +93,8 @@ vec3 bricks_hsv_adjust(float hue, float saturation, float value) {
 }
 
 // varied, of tile_random_hsv (tiles/tile_random_hsv.glsl)
-vec3 bricks_varied(bricks_Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
-  float near = bricks_tile_near(tile_local_dx, tile_local_dy);
-  vec3 luck = mix(vec3(0.5), bricks_random3(tile.seed), near);
+vec3 bricks_varied(uint seed, float near) {
+  vec3 luck = mix(vec3(0.5), bricks_random3(seed), near);
   vec3 one = bricks_hsv_adjust(mix(-5.0, 9.0, luck.x), mix(0.65, 1.1, luck.y),
       mix(0.5, 1.25, luck.z));
   float grey = 0.5 * (max(max(one.x, one.y), one.z) + min(min(one.x, one.y), one.z));
@@ -325,7 +324,7 @@ void bricks(vec2 uv, out vec4 color, out vec3 normal, out float roughness) {
   vec2 grid_local_dx, grid_local_dy;
   bricks_brick_grid(uv, uv_dx, uv_dy, grid, grid_local_dx, grid_local_dy);
   // tint: tile_random_hsv (tiles/tile_random_hsv.glsl)
-  vec3 tint = bricks_varied(grid, grid_local_dx, grid_local_dy);
+  vec3 tint = bricks_varied(grid.seed, bricks_tile_near(grid_local_dx, grid_local_dy));
   // bricks: material_layer (materials/material_layer.glsl)
   bricks_Tile bricks_inner;
   vec2 bricks_inner_local_dx, bricks_inner_local_dy;

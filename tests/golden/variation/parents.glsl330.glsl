@@ -150,9 +150,8 @@ vec3 parents_hsv_adjust(float hue, float value) {
 }
 
 // varied_tint, of tile_random_hsv (tiles/tile_random_hsv.glsl)
-vec3 parents_varied_tint(parents_Tile tile, vec2 tile_local_dx, vec2 tile_local_dy) {
-  float near = parents_tile_near(tile_local_dx, tile_local_dy);
-  vec3 luck = mix(vec3(0.5), parents_random3(tile.seed), near);
+vec3 parents_varied_tint(uint seed, float near) {
+  vec3 luck = mix(vec3(0.5), parents_random3(seed), near);
   vec3 one = parents_hsv_adjust(mix(-22.0, 34.0, luck.x), mix(0.6, 1.15, luck.z));
   float grey = 0.5 * (max(max(one.x, one.y), one.z) + min(min(one.x, one.y), one.z));
   return mix(mix(vec3(grey), one, 0.9606693), one, near);
@@ -174,11 +173,11 @@ parents_Material parents_draw_tiles(vec2 uv, ivec2 which, vec2 uv_dx, vec2 uv_dy
     vec3 vector = textureGrad(glaze_relief, inner.local, inner_local_dx, inner_local_dy).xyz;
     vec3 normal_map_value = parents_normal_map(vector);
     vec4 product = texel * vec4(1.05, 1.05, 1.05, 1.0);
-    vec4 vector2 = vec4(product.xyz * parents_varied_tint(tile, tile_local_dx, tile_local_dy),
-        product.w * alpha);
-    vec3 vector3 = vec3(normal_map_value.x * inner.right + normal_map_value.y * inner.up,
+    vec3 product2 = product.xyz * parents_varied_tint(tile.seed,
+        parents_tile_near(tile_local_dx, tile_local_dy));
+    vec3 vector2 = vec3(normal_map_value.x * inner.right + normal_map_value.y * inner.up,
         normal_map_value.z);
-    seen = parents_Material(vector2, vector3, 0.25, 0.0);
+    seen = parents_Material(vec4(product2, product.w * alpha), vector2, 0.25, 0.0);
   }
   return seen;
 }
