@@ -445,8 +445,9 @@ float border_of(Look3 look, Near3 near, vec3 point, const ivec3 period, int seed
 /// @param f1 distance to the nearest point, in grid cells
 /// @param f2 distance to the second nearest point
 /// @param difference f2 - f1: 0 on the borders of cells
-/// @param border distance to the border of the cell, in grid cells; exact for the euclidean metric.
-///   For the others half of f2 - f1, which is not above the distance
+/// @param border distance to the border of the cell, in grid cells; exact for the euclidean metric
+///   alone. For the others half of f2 - f1, which is not above the distance as they measure it;
+///   lines along it are not as wide everywhere
 /// @param spacing how far borders are from each other in the mean, in grid cells, for `joint`: 1,
 ///   within 3 % for each jitter
 /// @param center the nearest point, in the coordinate's space
@@ -535,7 +536,8 @@ void voronoi(vec2 uv, vec2 scale, const int metric, const float exponent, float 
 /// @param f1 distance to the nearest point, in grid cells
 /// @param f2 distance to the second nearest point
 /// @param difference f2 - f1: 0 on the borders of cells
-/// @param border distance to the border of the cell, in grid cells
+/// @param border distance to the border of the cell, in grid cells; exact for the euclidean metric
+///   alone
 /// @param spacing how far borders are from each other in the mean, in grid cells, for `joint`:
 ///   0.69, within 3 % for each jitter
 /// @param center the nearest point, in the coordinate's space

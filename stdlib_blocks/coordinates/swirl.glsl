@@ -2,7 +2,7 @@
 /// Stirs what is drawn around a middle: most in the middle, less and less up to the radius.
 /// The angle falls off as 3t^2 - 2t^3, so it has no kink in the middle nor at the radius. The
 /// footprint is that of the stirred coordinate.
-/// @source Substance 3D Designer and Material Maker, "Swirl"
+/// @source Material Maker, "Swirl"
 /// @param uv coordinate @default uv
 /// @param center the middle @default vec2(0.5)
 /// @param angle how far the middle is turned, counter-clockwise @default 180 @unit degrees

@@ -5,7 +5,7 @@
 layout(location = 0) in vec2 uv;
 
 // Parameters
-layout(location = 0) uniform float width;  // default 0.1
+layout(location = 0) uniform float width;  // default 0.09
 
 // Outputs
 layout(location = 0) out vec4 out_color;
@@ -30,12 +30,13 @@ struct Edge2 {
   vec2 other;
 };
 
-// hash (random/hash.glsl)
-uint hash(uint value) {
-  uint state = value * 747796405u + 2891336453u;
-  uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
-  return (word >> 22u) ^ word;
-}
+// Constants
+const vec2 points[5] = vec2[5](vec2(0.0, 0.2), vec2(0.045, 0.7), vec2(0.1, 1.0), vec2(0.2, 0.86),
+    vec2(0.45, 0.55));
+const float stops[3] = float[3](0.3, 0.5, 0.68);
+const vec4 colors[3] = vec4[3](vec4(0.24, 0.15, 0.09, 1.0), vec4(0.4, 0.27, 0.17, 1.0),
+    vec4(0.52, 0.42, 0.31, 1.0));
+const vec2 points2[3] = vec2[3](vec2(0.0, 0.82), vec2(0.06, 0.98), vec2(0.2, 1.0));
 
 // hash (random/hash.glsl)
 uvec2 hash(uvec2 value) {
@@ -51,14 +52,14 @@ uvec4 hash(uvec4 value) {
   return (word >> 22u) ^ word;
 }
 
-// value_noise (noise/value_noise.glsl)
-float value_noise(vec2 uv, int seed, vec2 uv_dx, vec2 uv_dy, out float result_dx,
+// gradient_noise (noise/gradient_noise.glsl)
+float gradient_noise_coarse(vec2 uv, vec2 uv_dx, vec2 uv_dy, out float result_dx,
     out float result_dy) {
-  vec2 p = uv * 24.0;
+  vec2 p = uv * 18.0;
   vec2 base = floor(p);
   vec2 t = p - base;
-  vec2 t_dx = uv_dx * 24.0;
-  vec2 t_dy = uv_dy * 24.0;
+  vec2 t_dx = uv_dx * 18.0;
+  vec2 t_dy = uv_dy * 18.0;
   vec2 product = t * t;
   vec2 product2 = product * t;
   vec2 product3 = t * 6.0;
@@ -68,22 +69,56 @@ float value_noise(vec2 uv, int seed, vec2 uv_dx, vec2 uv_dy, out float result_dx
   vec2 fade_slope = ((t + t) * t + product) * sum + product2 * (difference + product3);
   uvec2 cell = uvec2(ivec2(base));
   uint sum2 = cell.x + 1u;
-  uvec2 rows = hash(uvec2(cell.y, cell.y + 1u) + hash(uint(seed)));
-  uvec4 bits = hash(uvec4(cell.x, sum2, cell.x, sum2) + rows.xxyy) >> 8u;
-  vec4 corners = vec4(bits) * 5.9604645e-8;
+  uvec2 rows = hash(uvec2(cell.y, cell.y + 1u) + 2120684060u);
+  uvec4 hash_value = hash(uvec4(cell.x, sum2, cell.x, sum2) + rows.xxyy);
+  vec4 x = vec4(ivec4(hash_value)) * 4.656613e-10;
+  vec4 y = uintBitsToFloat(floatBitsToUint(1.0 - abs(x)) ^ (hash_value << 31u));
+  vec2 u = t - 1.0;
+  vec4 corners = x * vec4(t.x, u.x, t.x, u.x) + y * vec4(t.yy, u.yy);
+  vec4 corners_dx = t_dx.x * x + t_dx.y * y;
+  vec4 corners_dy = t_dy.x * x + t_dy.y * y;
+  vec2 width = sqrt(uv_dx * uv_dx + uv_dy * uv_dy) * 18.0;
+  float blur = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
+  float amplitude = 0.9340967 * (1.0 - blur);
   vec2 fade_dx = t_dx * fade_slope;
   vec2 fade_dy = t_dy * fade_slope;
-  float low = mix(corners.x, corners.y, fade.x);
-  float low_slope = corners.y - corners.x;
-  float high = mix(corners.z, corners.w, fade.x);
-  float high_slope = corners.w - corners.z;
-  vec2 width = sqrt(uv_dx * uv_dx + uv_dy * uv_dy) * 24.0;
-  float blur = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
-  float blend = mix(low_slope, high_slope, fade.y);
-  float difference2 = high - low;
-  result_dx = mix(fade_dx.x * blend + fade_dx.y * difference2, 0.0, blur);
-  result_dy = mix(fade_dy.x * blend + fade_dy.y * difference2, 0.0, blur);
-  return mix(mix(low, high, fade.y), 0.5, blur);
+  vec2 blend = mix(corners.xz, corners.yw, fade.x);
+  vec2 difference2 = corners.yw - corners.xz;
+  vec2 sum3 = mix(corners_dx.xz, corners_dx.yw, fade.x) + difference2 * fade_dx.x;
+  vec2 sum4 = mix(corners_dy.xz, corners_dy.yw, fade.x) + difference2 * fade_dy.x;
+  float difference3 = blend.y - blend.x;
+  result_dx = (mix(sum3.x, sum3.y, fade.y) + difference3 * fade_dx.y) * amplitude;
+  result_dy = (mix(sum4.x, sum4.y, fade.y) + difference3 * fade_dy.y) * amplitude;
+  return mix(blend.x, blend.y, fade.y) * amplitude + 0.5;
+}
+
+// domain_warp (noise/domain_warp.glsl)
+vec2 domain_warp(vec2 uv, vec2 uv_dx, vec2 uv_dy, out vec2 result_dx, out vec2 result_dy) {
+  vec2 place = uv;
+  vec2 place_dx = uv_dx;
+  vec2 place_dy = uv_dy;
+  for (int i = 0; i < 2; ++i) {
+    float result_dx2, result_dy2;
+    float gradient_noise_coarse_value = gradient_noise_coarse(place, place_dx, place_dy, result_dx2,
+        result_dy2);
+    float result_dx3, result_dy3;
+    float gradient_noise_coarse_value2 = gradient_noise_coarse(place + 37.7, place_dx, place_dy,
+        result_dx3, result_dy3);
+    place = uv + 0.025 * (2.0 * vec2(gradient_noise_coarse_value, gradient_noise_coarse_value2)
+        - 1.0);
+    place_dx = uv_dx + vec2(result_dx2, result_dx3) * 0.05;
+    place_dy = uv_dy + vec2(result_dy2, result_dy3) * 0.05;
+  }
+  result_dx = place_dx;
+  result_dy = place_dy;
+  return place;
+}
+
+// hash (random/hash.glsl)
+uint hash(uint value) {
+  uint state = value * 747796405u + 2891336453u;
+  uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+  return (word >> 22u) ^ word;
 }
 
 // cell_hash (indirection/cell_hash.glsl)
@@ -415,28 +450,203 @@ float joint(float edge, float width, float edge_dx, float edge_dy) {
   return mix(line, 1.0 - brick * brick, far);
 }
 
-// smooth_step (math/smooth_step.glsl)
-float smooth_step(float value, float high) {
-  float t = clamp(value / max(high, 1e-7), 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
+// gradient_noise (noise/gradient_noise.glsl)
+float gradient_noise_perlin(vec2 uv, vec2 uv_dx, vec2 uv_dy, out float result_dx,
+    out float result_dy) {
+  vec2 base = floor(uv);
+  vec2 t = uv - base;
+  vec2 product = t * t;
+  vec2 product2 = product * t;
+  vec2 product3 = t * 6.0;
+  vec2 difference = product3 - 15.0;
+  vec2 sum = t * difference + 10.0;
+  vec2 fade = product2 * sum;
+  vec2 fade_slope = ((t + t) * t + product) * sum + product2 * (difference + product3);
+  uvec2 cell = uvec2(ivec2(base));
+  uint sum2 = cell.x + 1u;
+  uvec2 rows = hash(uvec2(cell.y, cell.y + 1u) + 129708002u);
+  uvec4 hash_value = hash(uvec4(cell.x, sum2, cell.x, sum2) + rows.xxyy);
+  vec4 x = vec4(ivec4(hash_value)) * 4.656613e-10;
+  vec4 y = uintBitsToFloat(floatBitsToUint(1.0 - abs(x)) ^ (hash_value << 31u));
+  vec2 u = t - 1.0;
+  vec4 corners = x * vec4(t.x, u.x, t.x, u.x) + y * vec4(t.yy, u.yy);
+  vec4 corners_dx = uv_dx.x * x + uv_dx.y * y;
+  vec4 corners_dy = uv_dy.x * x + uv_dy.y * y;
+  vec2 fade_dx = uv_dx * fade_slope;
+  vec2 fade_dy = uv_dy * fade_slope;
+  vec2 blend = mix(corners.xz, corners.yw, fade.x);
+  vec2 difference2 = corners.yw - corners.xz;
+  vec2 sum3 = mix(corners_dx.xz, corners_dx.yw, fade.x) + difference2 * fade_dx.x;
+  vec2 sum4 = mix(corners_dy.xz, corners_dy.yw, fade.x) + difference2 * fade_dy.x;
+  float difference3 = blend.y - blend.x;
+  result_dx = (mix(sum3.x, sum3.y, fade.y) + difference3 * fade_dx.y) * 0.9340967;
+  result_dy = (mix(sum4.x, sum4.y, fade.y) + difference3 * fade_dy.y) * 0.9340967;
+  return mix(blend.x, blend.y, fade.y) * 0.9340967 + 0.5;
 }
 
-// value_noise (noise/value_noise.glsl)
-float value_noise(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
-  vec2 p = uv * 180.0;
-  vec2 base = floor(p);
-  vec2 t = p - base;
-  vec2 fade = t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
-  uvec2 cell = uvec2(ivec2(base));
-  uint sum = cell.x + 1u;
-  uvec2 rows = hash(uvec2(cell.y, cell.y + 1u) + 2131687100u);
-  uvec4 bits = hash(uvec4(cell.x, sum, cell.x, sum) + rows.xxyy) >> 8u;
-  vec4 corners = vec4(bits) * 5.9604645e-8;
-  float low = mix(corners.x, corners.y, fade.x);
-  float high = mix(corners.z, corners.w, fade.x);
-  vec2 width = sqrt(uv_dx * uv_dx + uv_dy * uv_dy) * 180.0;
-  float blur = clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0);
-  return mix(mix(low, high, fade.y), 0.5, blur);
+// billow (noise/billow.glsl)
+float billow(vec2 uv, vec2 uv_dx, vec2 uv_dy, out float result_dx, out float result_dy) {
+  vec2 p = uv * 26.0;
+  vec2 product = sqrt(uv_dx * uv_dx + uv_dy * uv_dy) * 26.0;
+  float width = max(product.x, product.y);
+  vec2 p_dx = uv_dx * 26.0;
+  vec2 p_dy = uv_dy * 26.0;
+  float weight = 0.43372658;
+  float frequency = 1.0;
+  float shift = 0.0;
+  float sum = 0.0;
+  float carry = 1.0;
+  float sum_dx = 0.0;
+  float sum_dy = 0.0;
+  float carry_dx = 0.0;
+  float carry_dy = 0.0;
+  for (int octave = 0; octave < 5; ++octave) {
+    float near = min(2.0 - 4.0 * width * frequency, 1.0);
+    float lump = 0.269;
+    float lump_dx = 0.0;
+    float lump_dy = 0.0;
+    if (near > 0.0) {
+      float result_dx2, result_dy2;
+      float gradient_noise_perlin_value = gradient_noise_perlin(p * frequency + shift,
+          p_dx * frequency, p_dy * frequency, result_dx2, result_dy2);
+      float difference = 2.0 * gradient_noise_perlin_value - 1.0;
+      float direction = sign(difference);
+      lump = mix(0.269, abs(difference), near);
+      lump_dx = result_dx2 * 2.0 * direction * near;
+      lump_dy = result_dy2 * 2.0 * direction * near;
+    }
+    float lump2 = lump * carry;
+    lump_dx = lump_dx * carry + lump * carry_dx;
+    lump_dy = lump_dy * carry + lump * carry_dy;
+    frequency *= 2.0;
+    shift += 37.7;
+    sum += weight * lump2;
+    carry = mix(1.0, lump2, 0.7);
+    sum_dx += lump_dx * weight;
+    sum_dy += lump_dy * weight;
+    weight *= 0.6;
+    carry_dx = lump_dx * 0.7;
+    carry_dy = lump_dy * 0.7;
+  }
+  result_dx = sum_dx;
+  result_dy = sum_dy;
+  return sum;
+}
+
+// secant_rolled, of curve (math/curve.glsl)
+float secant_rolled(int i) {
+  vec2 way = points[clamp(i + 1, 0, 4)] - points[clamp(i, 0, 4)];
+  return way.y / max(way.x, 1e-7);
+}
+
+// slope_at_rolled, of curve (math/curve.glsl)
+float slope_at_rolled(int i) {
+  int middle = clamp(i, 1, 3);
+  int difference = middle - 1;
+  float before = secant_rolled(difference);
+  float behind = secant_rolled(middle);
+  float value = points[middle].x;
+  float length_before = max(value - points[clamp(difference, 0, 4)].x, 1e-7);
+  float length_behind = max(points[middle + 1].x - value, 1e-7);
+  float all2 = length_before + length_behind;
+  float choice;
+  if (i == middle) {
+    float parabola = (before * length_behind + behind * length_before) / all2;
+    float flatter = min(abs(before), abs(behind));
+    choice = (sign(before) + sign(behind)) * min(flatter, 0.5 * abs(parabola));
+  } else {
+    bool test = i == 0;
+    float own = test ? before : behind;
+    float share = (test ? length_before : length_behind) / all2;
+    float parabola = own + share * (own - (test ? behind : before));
+    choice = 0.0;
+    if (!(parabola * own <= 0.0)) {
+      choice = 2.0 * abs(own) < abs(parabola) ? 2.0 * own : parabola;
+    }
+  }
+  return choice;
+}
+
+// part_mean_rolled, of curve (math/curve.glsl)
+float part_mean_rolled(int i, float middle, float reach, float middle_dx, float middle_dy,
+    float reach_dx, float reach_dy, out float result_dx, out float result_dy) {
+  vec2 from = points[clamp(i, 0, 4)];
+  int sum = i + 1;
+  vec2 to = points[clamp(sum, 0, 4)];
+  float way = max(to.x - from.x, 1e-7);
+  float ratio = (middle - from.x) / way;
+  float t = clamp(ratio, 0.0, 1.0);
+  bool test = ratio < 0.0;
+  bool test2 = ratio > 1.0;
+  float t_dx = test ? 0.0 : test2 ? 0.0 : middle_dx / way;
+  float t_dy = test ? 0.0 : test2 ? 0.0 : middle_dy / way;
+  float rise = to.y - from.y;
+  float start = way * slope_at_rolled(i) - rise;
+  float product = way * slope_at_rolled(sum);
+  float end = rise - product;
+  float product2 = 6.0 * t;
+  float bend = (product2 - 4.0) * start + (2.0 - product2) * end;
+  float bend_slope = start + (product - rise);
+  float part = reach / way;
+  float part_dx = reach_dx / way;
+  float part_dy = reach_dy / way;
+  float difference = 1.0 - t;
+  float product3 = t * difference;
+  float blend = mix(start, end, t);
+  float sum2 = rise + ((difference - t) * blend + product3 * (end - start));
+  float product4 = bend * part;
+  float bend_dx = t_dx * 6.0 * bend_slope;
+  float bend_dy = t_dy * 6.0 * bend_slope;
+  result_dx = t_dx * sum2 + ((bend_dx * part + bend * part_dx) * part + product4 * part_dx) / 6.0;
+  result_dy = t_dy * sum2 + ((bend_dy * part + bend * part_dy) * part + product4 * part_dy) / 6.0;
+  return from.y + rise * t + product3 * blend + product4 * part / 6.0;
+}
+
+// curve (math/curve.glsl)
+float curve_rolled(float value, float value_dx, float value_dy, out float result_dx,
+    out float result_dy) {
+  float width = max(sqrt(value_dx * value_dx + value_dy * value_dy), 1e-7);
+  float ratio = -value_dx / width;
+  float ratio2 = -value_dy / width;
+  float sum2 = -value / width + 0.5;
+  float below = clamp(sum2, 0.0, 1.0);
+  bool test = sum2 < 0.0;
+  bool test2 = sum2 > 1.0;
+  float below_dx = test ? 0.0 : test2 ? 0.0 : ratio;
+  float below_dy = test ? 0.0 : test2 ? 0.0 : ratio2;
+  float sum = 0.2 * below;
+  float sum_dx = below_dx * 0.2;
+  float sum_dy = below_dy * 0.2;
+  for (int i = 0; i < 4; ++i) {
+    float sum3 = (points[i + 1].x - value) / width + 0.5;
+    float next = clamp(sum3, 0.0, 1.0);
+    bool test3 = sum3 < 0.0;
+    bool test4 = sum3 > 1.0;
+    float next_dx = test3 ? 0.0 : test4 ? 0.0 : ratio;
+    float next_dy = test3 ? 0.0 : test4 ? 0.0 : ratio2;
+    float reach_slope = width * 0.5;
+    float middle = value + width * (0.5 * (below + next) - 0.5);
+    float middle_dx = value_dx + (below_dx + next_dx) * reach_slope;
+    float middle_dy = value_dy + (below_dy + next_dy) * reach_slope;
+    float difference = next - below;
+    float difference2 = next_dx - below_dx;
+    float difference3 = next_dy - below_dy;
+    float reach = 0.5 * difference * width;
+    float reach_dx = difference2 * reach_slope;
+    float reach_dy = difference3 * reach_slope;
+    float result_dx2, result_dy2;
+    float part_mean_rolled_value = part_mean_rolled(i, middle, reach, middle_dx, middle_dy,
+        reach_dx, reach_dy, result_dx2, result_dy2);
+    below = next;
+    sum += difference * part_mean_rolled_value;
+    below_dx = next_dx;
+    below_dy = next_dy;
+    sum_dx += difference2 * part_mean_rolled_value + difference * result_dx2;
+    sum_dy += difference3 * part_mean_rolled_value + difference * result_dy2;
+  }
+  result_dx = sum_dx + below_dx * -0.55;
+  result_dy = sum_dy + below_dy * -0.55;
+  return sum + (1.0 - below) * 0.55;
 }
 
 // tile_near (tiles/tile_near.glsl)
@@ -451,26 +661,148 @@ float tile_random(Tile tile, float low, float high, vec2 tile_local_dx, vec2 til
   return mix(low, high, mix(0.5, luck, tile_near(tile_local_dx, tile_local_dy)));
 }
 
+// fbm (noise/fbm.glsl)
+float fbm(vec2 uv, vec2 uv_dx, vec2 uv_dy, out float result_dx, out float result_dy) {
+  vec2 p = uv * 4.0;
+  vec2 product = sqrt(uv_dx * uv_dx + uv_dy * uv_dy) * 4.0;
+  float width = max(product.x, product.y);
+  vec2 p_dx = uv_dx * 4.0;
+  vec2 p_dy = uv_dy * 4.0;
+  float weight = 0.516129;
+  float frequency = 1.0;
+  float shift = 0.0;
+  float sum = 0.5;
+  float sum_dx = 0.0;
+  float sum_dy = 0.0;
+  for (int octave = 0; octave < 5; ++octave) {
+    float near = min(2.0 - 2.0 * width * frequency, 1.0);
+    if (near > 0.0) {
+      float product2 = weight * near;
+      float result_dx2, result_dy2;
+      float gradient_noise_perlin_value = gradient_noise_perlin(p * frequency + shift,
+          p_dx * frequency, p_dy * frequency, result_dx2, result_dy2);
+      sum += product2 * (gradient_noise_perlin_value - 0.5);
+      sum_dx += result_dx2 * product2;
+      sum_dy += result_dy2 * product2;
+    }
+    weight *= 0.5;
+    frequency *= 2.0;
+    shift += 37.7;
+  }
+  result_dx = sum_dx;
+  result_dy = sum_dy;
+  return sum;
+}
+
+// part_mean, of color_ramp (color/color_ramp.glsl)
+vec4 part_mean(vec4 from, vec4 to, float middle, float reach) {
+  float square = reach * reach;
+  float variance = square / 3.0;
+  vec4 color = mix(from, to, middle);
+  vec3 sum = color.xyz * color.w + (to.xyz - from.xyz) * ((to.w - from.w) * variance);
+  return vec4(sum, color.w);
+}
+
+// color_ramp (color/color_ramp.glsl)
+vec4 color_ramp(float position, float position_dx, float position_dy) {
+  float width = max(sqrt(position_dx * position_dx + position_dy * position_dy), 1e-7);
+  float below = clamp((0.3 - position) / width + 0.5, 0.0, 1.0);
+  vec4 sum = vec4(0.24, 0.15, 0.09, 1.0) * below;
+  for (int i = 0; i < 2; ++i) {
+    int sum2 = i + 1;
+    float item = stops[sum2];
+    float next = clamp((item - position) / width + 0.5, 0.0, 1.0);
+    float item2 = stops[i];
+    float part = 1.0 / max(item - item2, 1e-7);
+    float middle = position + width * (0.5 * (below + next) - 0.5) - item2;
+    float difference = next - below;
+    float least = min(0.5 * difference * width * part, 0.5);
+    vec4 part_mean_value = part_mean(colors[i], colors[sum2], clamp(middle * part, 0.0, 1.0),
+        least);
+    below = next;
+    sum += difference * part_mean_value;
+  }
+  sum += (1.0 - below) * vec4(0.52, 0.42, 0.31, 1.0);
+  vec3 choice = vec3(0.52, 0.42, 0.31);
+  if (sum.w > 0.0) {
+    choice = sum.xyz / max(sum.w, 1e-20);
+  }
+  return vec4(choice, sum.w);
+}
+
+// level_silt_tone, of levels (color/levels.glsl)
+float level_silt_tone(float value, float value_dx, float value_dy) {
+  float t = value * 1.6666666;
+  float width = max(sqrt(value_dx * value_dx + value_dy * value_dy) * 1.6666666, 1e-7);
+  float product = 0.5 * width;
+  float low = clamp(t - product, 0.0, 1.0);
+  float high = clamp(t + product, 0.0, 1.0);
+  float below = clamp(0.5 - t / width, 0.0, 1.0);
+  float above = clamp(0.5 - (1.0 - t) / width, 0.0, 1.0);
+  float inside = 0.5 * (low + high);
+  return above + (1.0 - below - above) * inside;
+}
+
+// level_dust, of levels (color/levels.glsl)
+float level_dust(float value, float value_dx, float value_dy) {
+  float t = (value - 0.55) * 2.2222223;
+  float width = max(sqrt(value_dx * value_dx + value_dy * value_dy) * 2.2222223, 1e-7);
+  float product = 0.5 * width;
+  float low = clamp(t - product, 0.0, 1.0);
+  float high = clamp(t + product, 0.0, 1.0);
+  float below = clamp(0.5 - t / width, 0.0, 1.0);
+  float above = clamp(0.5 - (1.0 - t) / width, 0.0, 1.0);
+  float inside = 0.5 * (low + high);
+  return above + (1.0 - below - above) * inside;
+}
+
+// slope_at_chip_dome, of curve (math/curve.glsl)
+float slope_at_chip_dome(int i) {
+  float choice = 0.285714;
+  if (i != 1) {
+    float parabola = i == 0 ? 3.4238102 : -1.6238102;
+    choice = i != 0 ? 0.0 : parabola;
+  }
+  return choice;
+}
+
+// part_mean_chip_dome, of curve (math/curve.glsl)
+float part_mean_chip_dome(int i, float middle, float reach) {
+  vec2 from = points2[clamp(i, 0, 2)];
+  int sum = i + 1;
+  vec2 to = points2[clamp(sum, 0, 2)];
+  float way = max(to.x - from.x, 1e-7);
+  float t = clamp((middle - from.x) / way, 0.0, 1.0);
+  float rise = to.y - from.y;
+  float start = way * slope_at_chip_dome(i) - rise;
+  float end = rise - way * slope_at_chip_dome(sum);
+  float product = 6.0 * t;
+  float bend = (product - 4.0) * start + (2.0 - product) * end;
+  float part = reach / way;
+  return from.y + rise * t + t * (1.0 - t) * mix(start, end, t) + bend * part * part / 6.0;
+}
+
+// curve (math/curve.glsl)
+float curve_chip_dome(float value, float value_dx, float value_dy) {
+  float width = max(sqrt(value_dx * value_dx + value_dy * value_dy), 1e-7);
+  float below = clamp(-value / width + 0.5, 0.0, 1.0);
+  float sum = 0.82 * below;
+  for (int i = 0; i < 2; ++i) {
+    float next = clamp((points2[i + 1].x - value) / width + 0.5, 0.0, 1.0);
+    float middle = value + width * (0.5 * (below + next) - 0.5);
+    float difference = next - below;
+    float reach = 0.5 * difference * width;
+    below = next;
+    sum += difference * part_mean_chip_dome(i, middle, reach);
+  }
+  return sum + (1.0 - below);
+}
+
 void main() {
   vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
-  // bend_x: value_noise (noise/value_noise.glsl)
-  float bend_x_dx, bend_x_dy;
-  float bend_x = value_noise(uv, 7, uv_dx, uv_dy, bend_x_dx, bend_x_dy);
-  // bend_y: value_noise (noise/value_noise.glsl)
-  float bend_y_dx, bend_y_dy;
-  float bend_y = value_noise(uv, 8, uv_dx, uv_dy, bend_y_dx, bend_y_dy);
-  // bend: combine2 (channels/combine2.glsl)
-  vec2 bend = vec2(bend_x, bend_y);
-  vec2 bend_dx = vec2(bend_x_dx, bend_y_dx);
-  vec2 bend_dy = vec2(bend_x_dy, bend_y_dy);
-  // offset: multiply (math/multiply.glsl)
-  vec2 offset = bend * 0.02;
-  // place: add (math/add.glsl)
-  vec2 place = uv + offset;
-  vec2 offset_dx = bend_dx * 0.02;
-  vec2 offset_dy = bend_dy * 0.02;
-  vec2 place_dx = uv_dx + offset_dx;
-  vec2 place_dy = uv_dy + offset_dy;
+  // place: domain_warp (noise/domain_warp.glsl)
+  vec2 place_dx, place_dy;
+  vec2 place = domain_warp(uv, uv_dx, uv_dy, place_dx, place_dy);
   // plates: voronoi (cellular/voronoi.glsl)
   float plates_border, plates_border_dx, plates_border_dy;
   Tile plates_tile;
@@ -487,42 +819,50 @@ void main() {
   float wide = joint(plates_border, width, plates_border_dx, plates_border_dy);
   // fine: joint (tiles/joint.glsl)
   float fine = joint(chips_border, 0.05, chips_border_dx, chips_border_dy);
-  // dome: smooth_step (math/smooth_step.glsl)
-  float dome = smooth_step(plates_border, 0.3);
-  // grain: value_noise (noise/value_noise.glsl)
-  float grain = value_noise(uv, uv_dx, uv_dy);
+  // silt: billow (noise/billow.glsl)
+  float silt_dx, silt_dy;
+  float silt = billow(uv, uv_dx, uv_dy, silt_dx, silt_dy);
+  // rolled: curve (math/curve.glsl)
+  float rolled_dx, rolled_dy;
+  float rolled = curve_rolled(plates_border, plates_border_dx, plates_border_dy, rolled_dx,
+      rolled_dy);
   // tone: tile_random (tiles/tile_random.glsl)
-  float tone = tile_random(plates_tile, 0.85, 1.1, plates_tile_local_dx, plates_tile_local_dy);
+  float tone = tile_random(plates_tile, 0.75, 1.15, plates_tile_local_dx, plates_tile_local_dy);
   // chip_tone: tile_random (tiles/tile_random.glsl)
-  float chip_tone = tile_random(chips_tile, 0.92, 1.06, chips_tile_local_dx, chips_tile_local_dy);
-  // grain_tone: remap (math/remap.glsl)
-  float grain_tone = mix(0.9, 1.05, grain);
-  // dome_tone: remap (math/remap.glsl)
-  float dome_tone = mix(0.72, 1.0, dome);
+  float chip_tone = tile_random(chips_tile, 0.86, 1.1, chips_tile_local_dx, chips_tile_local_dy);
   // tones: multiply (math/multiply.glsl)
   float tones = tone * chip_tone;
-  // tones_2: multiply (math/multiply.glsl)
-  float tones_2 = grain_tone * dome_tone;
+  // clouds: fbm (noise/fbm.glsl)
+  float clouds_dx, clouds_dy;
+  float clouds = fbm(uv, uv_dx, uv_dy, clouds_dx, clouds_dy);
+  // clay: color_ramp (color/color_ramp.glsl)
+  vec4 clay = color_ramp(clouds, clouds_dx, clouds_dy);
+  // silt_tone: levels (color/levels.glsl)
+  float silt_tone = mix(0.72, 1.12, level_silt_tone(silt, silt_dx, silt_dy));
+  // dust: levels (color/levels.glsl)
+  float dust = mix(0.82, 1.12, level_dust(rolled, rolled_dx, rolled_dy));
   // light: multiply (math/multiply.glsl)
-  float light = tones * tones_2;
-  // mud: multiply (math/multiply.glsl)
-  vec3 mud = light * vec3(0.42, 0.31, 0.21);
+  float light = silt_tone * dust;
+  // lights: multiply (math/multiply.glsl)
+  float lights = light * tones;
+  // lit: multiply (math/multiply.glsl)
+  vec3 lit = clay.xyz * lights;
   // fine_depth: multiply (math/multiply.glsl)
-  float fine_depth = fine * 0.55;
+  float fine_depth = fine * 0.6;
   // chipped: lerp (math/lerp.glsl)
-  vec3 chipped = mix(mud, vec3(0.13, 0.09, 0.06), fine_depth);
+  vec3 chipped = mix(lit, vec3(0.1, 0.065, 0.042), fine_depth);
   // ground: lerp (math/lerp.glsl)
-  vec3 ground = mix(chipped, vec3(0.035, 0.024, 0.017), wide);
+  vec3 ground = mix(chipped, vec3(0.022, 0.014, 0.01), wide);
   // color: rgba (channels/rgba.glsl)
   vec4 color = vec4(ground, 1.0);
-  // chip_dome: smooth_step (math/smooth_step.glsl)
-  float chip_dome = smooth_step(chips_border, 0.2);
-  // plate_height: remap (math/remap.glsl)
-  float plate_height = mix(0.35, 1.0, dome);
-  // chip_height: remap (math/remap.glsl)
-  float chip_height = mix(0.9, 1.0, chip_dome);
-  // raised: multiply (math/multiply.glsl)
-  float raised = plate_height * chip_height;
+  // chip_dome: curve (math/curve.glsl)
+  float chip_dome = curve_chip_dome(chips_border, chips_border_dx, chips_border_dy);
+  // silt_height: multiply (math/multiply.glsl)
+  float silt_height = silt * 0.12;
+  // cracked: multiply (math/multiply.glsl)
+  float cracked = rolled * chip_dome;
+  // raised: add (math/add.glsl)
+  float raised = cracked + silt_height;
   // between: invert (math/invert.glsl)
   float between = 1.0 - wide;
   // height: multiply (math/multiply.glsl)
