@@ -6,7 +6,7 @@ layout(location = 0) in vec2 uv;
 
 // Parameters
 layout(location = 0) uniform float wear;  // default 0.38
-layout(location = 1) uniform vec3 paint;  // default vec3(0.02, 0.16, 0.19)
+layout(location = 1) uniform vec3 paint_color;  // default vec3(0.02, 0.16, 0.19)
 
 // Outputs
 layout(location = 0) out vec4 out_color;
@@ -730,7 +730,7 @@ void main() {
   // shade: remap (math/remap.glsl)
   float shade = mix(0.75, 1.2, (grain - 0.2) / 0.6);
   // coat: multiply (math/multiply.glsl)
-  vec3 coat = paint * shade;
+  vec3 coat = paint_color * shade;
   // coat_color: rgba (channels/rgba.glsl)
   vec4 coat_color = vec4(coat, 1.0);
   // seen: lerp (math/lerp.glsl)

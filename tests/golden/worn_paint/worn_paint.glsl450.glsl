@@ -4,7 +4,7 @@
 
 // Parameters
 uniform float wear;  // default 0.38
-uniform vec3 paint;  // default vec3(0.02, 0.16, 0.19)
+uniform vec3 paint_color;  // default vec3(0.02, 0.16, 0.19)
 
 // Types
 struct worn_paint_Sum {
@@ -736,7 +736,7 @@ void worn_paint(vec2 uv, out vec4 color, out vec3 normal, out float roughness, o
   // shade: remap (math/remap.glsl)
   float shade = mix(0.75, 1.2, (grain - 0.2) / 0.6);
   // coat: multiply (math/multiply.glsl)
-  vec3 coat = paint * shade;
+  vec3 coat = paint_color * shade;
   // coat_color: rgba (channels/rgba.glsl)
   vec4 coat_color = vec4(coat, 1.0);
   // seen: lerp (math/lerp.glsl)
