@@ -414,9 +414,8 @@ vec3 hsv_adjust(vec3 color, float hue, float saturation, float value) {
 }
 
 // varied, of tile_random_hsv (tiles/tile_random_hsv.glsl)
-vec3 varied(Tile tile, vec3 color, vec2 tile_local_dx, vec2 tile_local_dy) {
-  float near = tile_near(tile_local_dx, tile_local_dy);
-  vec3 luck = mix(vec3(0.5), random3(tile.seed), near);
+vec3 varied(uint seed, float near, vec3 color) {
+  vec3 luck = mix(vec3(0.5), random3(seed), near);
   vec3 one = hsv_adjust(color, mix(-5.0, 5.0, luck.x), mix(0.8, 1.05, luck.y),
       mix(0.85, 1.08, luck.z));
   float grey = 0.5 * (max(max(one.x, one.y), one.z) + min(min(one.x, one.y), one.z));
@@ -566,7 +565,7 @@ void main() {
   // grout: mortar (tiles/mortar.glsl)
   float grout = mortar(tiles, tiles_local_dx, tiles_local_dy);
   // fired: tile_random_hsv (tiles/tile_random_hsv.glsl)
-  vec3 fired = varied(tiles, painted, tiles_local_dx, tiles_local_dy);
+  vec3 fired = varied(tiles.seed, tile_near(tiles_local_dx, tiles_local_dy), painted);
   // mottled: levels (color/levels.glsl)
   float mottled = mix(0.88, 1.06, level(hand, hand_dx, hand_dy));
   // glaze: multiply (math/multiply.glsl)

@@ -466,9 +466,8 @@ vec3 hsv_adjust(vec3 color, float hue, float saturation, float value) {
 }
 
 // varied, of tile_random_hsv (tiles/tile_random_hsv.glsl)
-vec3 varied(Tile tile, vec3 color, vec2 tile_local_dx, vec2 tile_local_dy) {
-  float near = tile_near(tile_local_dx, tile_local_dy);
-  vec3 luck = mix(vec3(0.5), random3(tile.seed), near);
+vec3 varied(uint seed, float near, vec3 color) {
+  vec3 luck = mix(vec3(0.5), random3(seed), near);
   vec3 one = hsv_adjust(color, mix(-16.0, 16.0, luck.x), mix(0.85, 1.0, luck.y),
       mix(0.55, 1.5, luck.z));
   float grey = 0.5 * (max(max(one.x, one.y), one.z) + min(min(one.x, one.y), one.z));
@@ -771,7 +770,8 @@ void main() {
   // dyed: lerp (math/lerp.glsl)
   vec4 dyed = mix(with_petals, vec4(0.03, 0.42, 0.16, 1.0), in_bud);
   // own: tile_random_hsv (tiles/tile_random_hsv.glsl)
-  vec3 varied_value = varied(pieces_tile, dyed.xyz, pieces_tile_local_dx, pieces_tile_local_dy);
+  vec3 varied_value = varied(pieces_tile.seed,
+      tile_near(pieces_tile_local_dx, pieces_tile_local_dy), dyed.xyz);
   // stirred: swirl (coordinates/swirl.glsl)
   vec2 stirred_dx, stirred_dy;
   vec2 stirred = swirl(pieces_tile.local, pieces_tile_local_dx, pieces_tile_local_dy, stirred_dx,

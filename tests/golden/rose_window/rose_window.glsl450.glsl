@@ -468,9 +468,8 @@ vec3 rose_window_hsv_adjust(vec3 color, float hue, float saturation, float value
 }
 
 // varied, of tile_random_hsv (tiles/tile_random_hsv.glsl)
-vec3 rose_window_varied(rose_window_Tile tile, vec3 color, vec2 tile_local_dx, vec2 tile_local_dy) {
-  float near = rose_window_tile_near(tile_local_dx, tile_local_dy);
-  vec3 luck = mix(vec3(0.5), rose_window_random3(tile.seed), near);
+vec3 rose_window_varied(uint seed, float near, vec3 color) {
+  vec3 luck = mix(vec3(0.5), rose_window_random3(seed), near);
   vec3 one = rose_window_hsv_adjust(color, mix(-16.0, 16.0, luck.x), mix(0.85, 1.0, luck.y),
       mix(0.55, 1.5, luck.z));
   float grey = 0.5 * (max(max(one.x, one.y), one.z) + min(min(one.x, one.y), one.z));
@@ -774,8 +773,8 @@ vec4 rose_window(vec2 uv) {
   // dyed: lerp (math/lerp.glsl)
   vec4 dyed = mix(with_petals, vec4(0.03, 0.42, 0.16, 1.0), in_bud);
   // own: tile_random_hsv (tiles/tile_random_hsv.glsl)
-  vec3 varied_value = rose_window_varied(pieces_tile, dyed.xyz, pieces_tile_local_dx,
-      pieces_tile_local_dy);
+  vec3 varied_value = rose_window_varied(pieces_tile.seed,
+      rose_window_tile_near(pieces_tile_local_dx, pieces_tile_local_dy), dyed.xyz);
   // stirred: swirl (coordinates/swirl.glsl)
   vec2 stirred_dx, stirred_dy;
   vec2 stirred = rose_window_swirl(pieces_tile.local, pieces_tile_local_dx, pieces_tile_local_dy,
