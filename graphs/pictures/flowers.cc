@@ -19,7 +19,7 @@ void LayFlowerShadow(Canvas& canvas, double size) {
 
 // Eight funnels with toothed rims around a dark heart of threads.
 void LayCornflower(Canvas& canvas, double size) {
-  LayFlowerShadow(canvas, 1.05 * size);
+  LayFlowerShadow(canvas, 0.97 * size);
   Point along{0.98, 0.2};
   for (int i = 0; i < 8; ++i, along = Turned(Unit(along), {0.70710678, -0.70710678})) {
     const double reach = size * (0.94 + 0.12 * Random(i, 0, 5101));
@@ -84,9 +84,9 @@ Picture MakeDaisy() {
 Picture MakeFlowers() {
   const Color backdrop{0.05, 0.06, 0.03};
   Canvas daisy(96, 96), buttercup(96, 96), poppy(96, 96), cornflower(96, 96);
-  LayDaisy(daisy, kMiddle, 0.37, 7);
+  LayDaisy(daisy, kMiddle, 0.36, 7);
   LayButtercup(buttercup, 0.37);
-  LayPoppy(poppy, kMiddle, 0.37, 12);
+  LayPoppy(poppy, kMiddle, 0.36, 12);
   LayCornflower(cornflower, 0.44);
   return Sheet(4, {daisy.Finish(backdrop), buttercup.Finish(backdrop), poppy.Finish(backdrop),
                    cornflower.Finish(backdrop)});
