@@ -687,9 +687,12 @@ class DocChecker {
       }
       if (!best) continue;
       // What blocks share makes words only where the file speaks of it: a parameter that happens to
-      // have such a name is a number.
+      // have such a name is a number. Nor are they added to words of the file's own.
+      const std::string_view prefix = name.substr(0, length);
       const bool is_own = file_.constants.contains(name);
-      if (!is_own && text_.find(name.substr(0, length)) == text_.npos) continue;
+      const auto own = file_.constants.lower_bound(prefix);
+      const bool has_own = own != file_.constants.end() && own->first.starts_with(prefix);
+      if (!is_own && (has_own || text_.find(prefix) == text_.npos)) continue;
       std::string word(name.substr(length));
       for (char& c : word) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
       int32_t value = static_cast<int32_t>(program_.module.Words(info.value)[0]);

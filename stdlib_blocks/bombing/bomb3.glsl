@@ -90,10 +90,11 @@ vec4 turn_of(uint seed, vec2 rotation, vec3 axis, const bool tumble) {
     return vec4(a * sin(angle.x), a * cos(angle.x), b * sin(angle.y), b * cos(angle.y));
   }
   float angle = 0.5 * radians(mix(rotation.x, rotation.y, random(seed, -5)));
-  return vec4(normalize(axis) * sin(angle), cos(angle));
+  return vec4(normalized(axis) * sin(angle), cos(angle));
 }
 
-float side_of(Copy copy, vec2 size) { return mix(size.x, size.y, copy.large); }
+// Sizes that only the shader knows may be too small.
+float side_of(Copy copy, vec2 size) { return max(mix(size.x, size.y, copy.large), 0.000001); }
 
 // From a copy's frame to the cells'.
 vec3 turned(vec3 arm, Copy copy, vec2 rotation, const bool tumble) {
@@ -196,7 +197,8 @@ vec3 normal_of(Copy copy, vec3 scale, vec2 size, vec2 rotation, const bool tumbl
 /// @param jitter how far from the middles of their cells the centres of copies are drawn, as the
 ///   sides of that part, in cells: 0, not at all; 1, anywhere in the cell @default vec3(1)
 ///   @range 0 4
-/// @param size least and greatest side of a copy, in cells; above 0 @default vec2(1) @ordered
+/// @param size least and greatest side of a copy, in cells @default vec2(1) @ordered
+///   @range 0.001 64
 /// @param rotation least and greatest angle about `axis`, counter-clockwise as seen from its end
 ///   @default vec2(0) @unit degrees @ordered
 /// @param axis what copies turn about, of any length above 0 @default vec3(0, 0, 1)

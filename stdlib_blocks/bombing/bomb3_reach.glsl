@@ -48,7 +48,7 @@ vec3 bomb3_reach(vec2 size, vec2 rotation, vec3 axis, const bool tumble, const i
   if (rotation.x == 0.0 && rotation.y == 0.0) {
     return vec3(0.5 * size.y);
   }
-  vec3 a = normalize(axis);
+  vec3 a = normalized(axis);
   vec3 rows = vec3(row_of(a.x, a.yz, rotation), row_of(a.y, a.zx, rotation),
                    row_of(a.z, a.xy, rotation));
   return 0.5 * size.y * rows;

@@ -144,6 +144,13 @@ Copy copy_at(vec3 p, vec3 node, int index, int seed) {
   return copy;
 }
 
+// is_near, of bomb3 (bombing/bomb3.glsl)
+bool is_near(Copy copy, vec2 size) {
+  float side = max(mix(size.x, size.y, copy.large), 1e-6);
+  float square = dot(copy.from, copy.from);
+  return square < 0.75 * side * side;
+}
+
 // random3 (random/random3.glsl)
 vec3 random3(uint seed, int stream) {
   uint bits = hash(seed + uint(stream));
@@ -162,7 +169,7 @@ vec4 turn_of(uint seed) {
 
 // arm_of, of bomb3 (bombing/bomb3.glsl)
 vec3 arm_of(Copy copy, vec2 size) {
-  vec3 arm = copy.from / mix(size.x, size.y, copy.large);
+  vec3 arm = copy.from / max(mix(size.x, size.y, copy.large), 1e-6);
   vec3 perpendicular = cross(copy.turn.xyz, cross(copy.turn.xyz, arm) - copy.turn.w * arm);
   return arm + 2.0 * perpendicular;
 }
@@ -182,8 +189,7 @@ void find_next_small(vec3 p, vec3 corner, uint last, out uint last_out, out Copy
     for (int index = 0; index < 2; ++index) {
       Copy copy = copy_at(p, node, index, 3);
       bool is_next = best < copy.luck && copy.luck < last;
-      float blend = mix(0.35, 0.57, copy.large);
-      if (is_next && dot(copy.from, copy.from) < 0.75 * blend * blend) {
+      if (is_next && is_near(copy, vec2(0.35, 0.57))) {
         Copy copy2 = Copy(copy.seed, copy.luck, copy.large, turn_of(copy.seed), copy.from);
         vec3 magnitude = abs(arm_of(copy2, vec2(0.35, 0.57)));
         bool test = max(max(magnitude.x, magnitude.y), magnitude.z) < 0.5 && is_there(copy2);
@@ -199,11 +205,10 @@ void find_next_small(vec3 p, vec3 corner, uint last, out uint last_out, out Copy
 // arm_of, of bomb3 (bombing/bomb3.glsl)
 vec3 arm_of2(Copy copy, vec2 size, vec3 copy_from_dx, vec3 copy_from_dy, out vec3 result_dx,
     out vec3 result_dy) {
-  float blend = mix(size.x, size.y, copy.large);
-  vec3 arm = copy.from / blend;
-  bool test = blend != 0.0;
-  vec3 arm_dx = test ? copy_from_dx / blend : vec3(0.0);
-  vec3 arm_dy = test ? copy_from_dy / blend : vec3(0.0);
+  vec3 vector = vec3(max(mix(size.x, size.y, copy.large), 1e-6));
+  vec3 arm = copy.from / vector;
+  vec3 arm_dx = copy_from_dx / vector;
+  vec3 arm_dy = copy_from_dy / vector;
   vec3 perpendicular = cross(copy.turn.xyz, cross(copy.turn.xyz, arm) - copy.turn.w * arm);
   vec3 perpendicular2 = cross(copy.turn.xyz, cross(copy.turn.xyz, arm_dx) - arm_dx * copy.turn.w);
   vec3 perpendicular3 = cross(copy.turn.xyz, cross(copy.turn.xyz, arm_dy) - arm_dy * copy.turn.w);
@@ -504,8 +509,7 @@ void find_next_medium(vec3 p, vec3 corner, vec2 size, int seed, uint last, out u
       for (int index = 0; index < 2; ++index) {
         Copy copy = copy_at(p, node, index, seed);
         bool is_next = best < copy.luck && copy.luck < last;
-        float blend = mix(size.x, size.y, copy.large);
-        if (is_next && dot(copy.from, copy.from) < 0.75 * blend * blend) {
+        if (is_next && is_near(copy, size)) {
           Copy copy2 = Copy(copy.seed, copy.luck, copy.large, turn_of(copy.seed), copy.from);
           vec3 magnitude = abs(arm_of(copy2, size));
           bool test = max(max(magnitude.x, magnitude.y), magnitude.z) < 0.5 && is_there(copy2);

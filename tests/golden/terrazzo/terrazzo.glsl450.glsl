@@ -140,6 +140,13 @@ terrazzo_Copy terrazzo_copy_at(vec3 p, vec3 node, int index, int seed) {
   return copy;
 }
 
+// is_near, of bomb3 (bombing/bomb3.glsl)
+bool terrazzo_is_near(terrazzo_Copy copy, vec2 size) {
+  float side = max(mix(size.x, size.y, copy.large), 1e-6);
+  float square = dot(copy.from, copy.from);
+  return square < 0.75 * side * side;
+}
+
 // random3 (random/random3.glsl)
 vec3 terrazzo_random3(uint seed, int stream) {
   uint bits = terrazzo_hash(seed + uint(stream));
@@ -158,7 +165,7 @@ vec4 terrazzo_turn_of(uint seed) {
 
 // arm_of, of bomb3 (bombing/bomb3.glsl)
 vec3 terrazzo_arm_of(terrazzo_Copy copy, vec2 size) {
-  vec3 arm = copy.from / mix(size.x, size.y, copy.large);
+  vec3 arm = copy.from / max(mix(size.x, size.y, copy.large), 1e-6);
   vec3 perpendicular = cross(copy.turn.xyz, cross(copy.turn.xyz, arm) - copy.turn.w * arm);
   return arm + 2.0 * perpendicular;
 }
@@ -179,8 +186,7 @@ void terrazzo_find_next_small(vec3 p, vec3 corner, uint last, out uint last_out,
     for (int index = 0; index < 2; ++index) {
       terrazzo_Copy copy = terrazzo_copy_at(p, node, index, 3);
       bool is_next = best < copy.luck && copy.luck < last;
-      float blend = mix(0.35, 0.57, copy.large);
-      if (is_next && dot(copy.from, copy.from) < 0.75 * blend * blend) {
+      if (is_next && terrazzo_is_near(copy, vec2(0.35, 0.57))) {
         terrazzo_Copy copy2 = terrazzo_Copy(copy.seed, copy.luck, copy.large,
             terrazzo_turn_of(copy.seed), copy.from);
         vec3 magnitude = abs(terrazzo_arm_of(copy2, vec2(0.35, 0.57)));
@@ -198,11 +204,10 @@ void terrazzo_find_next_small(vec3 p, vec3 corner, uint last, out uint last_out,
 // arm_of, of bomb3 (bombing/bomb3.glsl)
 vec3 terrazzo_arm_of2(terrazzo_Copy copy, vec2 size, vec3 copy_from_dx, vec3 copy_from_dy,
     out vec3 result_dx, out vec3 result_dy) {
-  float blend = mix(size.x, size.y, copy.large);
-  vec3 arm = copy.from / blend;
-  bool test = blend != 0.0;
-  vec3 arm_dx = test ? copy_from_dx / blend : vec3(0.0);
-  vec3 arm_dy = test ? copy_from_dy / blend : vec3(0.0);
+  vec3 vector = vec3(max(mix(size.x, size.y, copy.large), 1e-6));
+  vec3 arm = copy.from / vector;
+  vec3 arm_dx = copy_from_dx / vector;
+  vec3 arm_dy = copy_from_dy / vector;
   vec3 perpendicular = cross(copy.turn.xyz, cross(copy.turn.xyz, arm) - copy.turn.w * arm);
   vec3 perpendicular2 = cross(copy.turn.xyz, cross(copy.turn.xyz, arm_dx) - arm_dx * copy.turn.w);
   vec3 perpendicular3 = cross(copy.turn.xyz, cross(copy.turn.xyz, arm_dy) - arm_dy * copy.turn.w);
@@ -505,8 +510,7 @@ void terrazzo_find_next_medium(vec3 p, vec3 corner, vec2 size, int seed, uint la
       for (int index = 0; index < 2; ++index) {
         terrazzo_Copy copy = terrazzo_copy_at(p, node, index, seed);
         bool is_next = best < copy.luck && copy.luck < last;
-        float blend = mix(size.x, size.y, copy.large);
-        if (is_next && dot(copy.from, copy.from) < 0.75 * blend * blend) {
+        if (is_next && terrazzo_is_near(copy, size)) {
           terrazzo_Copy copy2 = terrazzo_Copy(copy.seed, copy.luck, copy.large,
               terrazzo_turn_of(copy.seed), copy.from);
           vec3 magnitude = abs(terrazzo_arm_of(copy2, size));

@@ -476,12 +476,22 @@ TEST(BlockDocs, SharedEnumerationsAreThoseThatTheFileSpeaksOf) {
                           "int x(const int turn) { return turn; }"},
                          {"y.glsl",
                           "/// Y.\n/// @param turn how many @default 7\n"
-                          "int y(const int turn) { return turn; }"}});
+                          "int y(const int turn) { return turn; }"},
+                         {"z.glsl",
+                          "const int TURN_LEFT = 0;\nconst int TURN_RIGHT = 1;\n"
+                          "/// Z.\n/// @param turn to which side @default TURN_LEFT\n"
+                          "int z(const int turn) { return turn; }"}});
   const Block* x = test.library.Find("x");
   const Block* y = test.library.Find("y");
-  ASSERT_TRUE(x && y) << test.Report();
+  const Block* z = test.library.Find("z");
+  ASSERT_TRUE(x && y && z) << test.Report();
   EXPECT_EQ(x->overloads[0].inputs[0].words.size(), 3u);
   EXPECT_TRUE(y->overloads[0].inputs[0].words.empty());
+  // Words of the file's own stand alone.
+  const std::vector<EnumWord>& own = z->overloads[0].inputs[0].words;
+  ASSERT_EQ(own.size(), 2u);
+  EXPECT_EQ(own[0].word, "left");
+  EXPECT_EQ(own[1].word, "right");
 }
 
 }  // namespace
