@@ -158,6 +158,7 @@ set(TEXGRAPH_STDLIB_BLOCKS
   noise/ridged.glsl
   noise/simplex_noise.glsl
   noise/turbulence.glsl
+  noise/unit_noise.glsl
   noise/value_noise.glsl
   noise/widest.glsl
   patterns/checker.glsl

@@ -187,6 +187,7 @@ class Printer {
     if (port.transitions_of) add("for the corners of " + ports[*port.transitions_of].name);
     if (port.as_long_as) add("as many as " + ports[*port.as_long_as].name);
     if (port.below) add("counts " + ports[*port.below].name);
+    if (port.asked_at) add("given by who asks at " + ports[*port.asked_at].name);
     std::string words;
     for (const blocks::EnumWord& word : port.words)
       words += (words.empty() ? "" : ", ") + word.word;
@@ -196,6 +197,7 @@ class Printer {
 
   std::string DefaultText(const blocks::Port& port) const {
     if (!port.default_input.empty()) return port.default_input;
+    if (!port.default_block.empty()) return port.default_block;
     if (!port.default_value.valid()) return {};
     if (!port.words.empty()) {
       int32_t value = std::bit_cast<int32_t>(module_.Words(port.default_value)[0]);

@@ -46,6 +46,14 @@ struct Port {
   // a built-in input ("uv"), or neither: the port must be connected.
   ir::ConstId default_value;
   std::string default_input;
+  // "@default name" of a field: what stands there is this block, whose inputs are the prototype's
+  // parameters of their names, else their own defaults. Whether there is such a block is not known
+  // before it is needed.
+  std::string default_block;
+  // "@asked_at name", of a value with a constant default: evaluated for a function port, where that
+  // input is the very coordinate which the port asks at, the prototype's parameter of this port's
+  // name; else, and where the prototype has none, the default.
+  std::optional<uint32_t> asked_at;
   // "@computed name advice": of a template port without a value, it is what this block of the
   // library gives for the ports that are named as its inputs. If that is not known when the shader
   // is made, it is the default. The advice says what to change when it is out of range.

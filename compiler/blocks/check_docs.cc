@@ -8,6 +8,7 @@
 #include "compiler/base/builtin_input.h"
 #include "compiler/base/text.h"
 #include "compiler/blocks/check.h"
+#include "compiler/blocks/doc_tags.h"
 #include "compiler/blocks/limits.h"
 #include "compiler/blocks/parser.h"
 
@@ -15,17 +16,6 @@ namespace texgraph::blocks {
 namespace {
 
 using ir::TypeId;
-
-// A piece of one line.
-struct Piece {
-  SourceRange range;
-  std::string_view text;
-};
-
-struct Tag {
-  Piece name;  // with its '@'; empty for the text in front of all tags
-  std::vector<Piece> pieces;
-};
 
 struct Setting {  // an inline tag of a parameter
   Piece tag;
@@ -39,38 +29,9 @@ struct ParameterDoc {
 };
 
 constexpr std::string_view kInlineTags[] = {
-    "@default",     "@length",  "@range",       "@unit",  "@ordered", "@not_below", "@computed",
-    "@multiple_of", "@grid_of", "@transitions", "@below", "@one_of",  "@as_long_as"};
+    "@default",     "@length",  "@range",       "@unit",  "@ordered", "@not_below",  "@computed",
+    "@multiple_of", "@grid_of", "@transitions", "@below", "@one_of",  "@as_long_as", "@asked_at"};
 constexpr std::string_view kTags[] = {"@param", "@return", "@source"};
-
-bool IsBlank(char c) { return c == ' ' || c == '\t'; }
-
-Piece Trim(Piece piece) {
-  while (!piece.text.empty() && IsBlank(piece.text.front())) {
-    piece.text.remove_prefix(1);
-    ++piece.range.begin;
-  }
-  while (!piece.text.empty() && IsBlank(piece.text.back())) {
-    piece.text.remove_suffix(1);
-    --piece.range.end;
-  }
-  return piece;
-}
-
-Piece Part(const Piece& piece, size_t begin, size_t end) {
-  uint32_t at = piece.range.begin;
-  return {{piece.range.source, at + static_cast<uint32_t>(begin), at + static_cast<uint32_t>(end)},
-          piece.text.substr(begin, end - begin)};
-}
-
-// Takes the first word off.
-Piece TakeWord(Piece& piece) {
-  piece = Trim(piece);
-  size_t end = std::min(piece.text.find_first_of(" \t"), piece.text.size());
-  Piece word = Part(piece, 0, end);
-  piece = Trim(Part(piece, end, piece.text.size()));
-  return word;
-}
 
 void AppendLine(std::string& text, std::string_view line, char separator) {
   if (line.empty()) return;
@@ -122,37 +83,8 @@ class DocChecker {
 
   // --- Reading ---
 
-  std::vector<Tag> Split(DocLines lines) {
-    std::vector<Tag> tags(1);
-    for (uint32_t i = lines.first; i < lines.first + lines.count; ++i) {
-      const DocLine& line = file_.ast->docs[i];
-      Piece rest{{file_.source, line.begin, line.end},
-                 text_.substr(line.begin, line.end - line.begin)};
-      bool first = true;
-      while (first || !rest.text.empty()) {
-        size_t at = FindTag(rest.text);
-        if (at > 0 || first) tags.back().pieces.push_back(Trim(Part(rest, 0, at)));
-        first = false;
-        rest = Part(rest, at, rest.text.size());
-        if (!rest.text.empty()) tags.push_back({TakeWord(rest), {}});
-      }
-    }
-    return tags;
-  }
-
-  // Where the next '@' begins a word, or the end.
-  static size_t FindTag(std::string_view text) {
-    for (size_t i = 0; i + 1 < text.size(); ++i) {
-      bool begins = i == 0 || IsBlank(text[i - 1]);
-      char next = text[i + 1];
-      bool letter = (next >= 'a' && next <= 'z') || (next >= 'A' && next <= 'Z');
-      if (text[i] == '@' && begins && letter) return i;
-    }
-    return text.size();
-  }
-
   void RefuseTags(DocLines lines) {
-    for (const Tag& tag : Split(lines)) {
+    for (const Tag& tag : SplitTags(lines, *file_.ast, text_)) {
       if (tag.name.text.empty()) continue;
       Error(tag.name.range, "tags belong to the block's function and its prototypes, not here");
       return;
@@ -165,7 +97,7 @@ class DocChecker {
     Lines& run = runs_.emplace_back();
     run.function = &function;
     ParameterDoc* open = nullptr;
-    for (const Tag& tag : Split(lines)) ReadTag(tag, run, open);
+    for (const Tag& tag : SplitTags(lines, *file_.ast, text_)) ReadTag(tag, run, open);
   }
 
   // `open` is what inline tags belong to, if anything.
@@ -314,9 +246,9 @@ class DocChecker {
     port.help = doc->help;
     gen_type_ = overload.gen_type;
     // The default is checked against the range.
-    for (std::string_view tag :
-         {"@unit", "@range", "@length", "@default", "@ordered", "@not_below", "@multiple_of",
-          "@grid_of", "@transitions", "@below", "@as_long_as", "@one_of", "@computed"}) {
+    for (std::string_view tag : {"@unit", "@range", "@length", "@default", "@ordered", "@not_below",
+                                 "@multiple_of", "@grid_of", "@transitions", "@below",
+                                 "@as_long_as", "@asked_at", "@one_of", "@computed"}) {
       for (const Setting& setting : doc->settings) {
         if (setting.tag.text == tag) SetSetting(port, setting, is_input);
       }
@@ -426,7 +358,7 @@ class DocChecker {
     CheckDefaultRange(port, value);
   }
 
-  // An input of the graph, or the word of an enumeration.
+  // An input of the graph, or the word of an enumeration; of a field it may be a block.
   void SetDefaultName(Port& port, const Piece& value) {
     for (const EnumWord& word : port.words) {
       if (word.word != value.text) continue;
@@ -451,6 +383,10 @@ class DocChecker {
                                " that is not known when the shader is made; this port takes " +
                                program_.module.types.Text(port.type));
       }
+      return;
+    }
+    if (port.kind == PortKind::kField) {
+      port.default_block = value.text;
       return;
     }
     Error(value.range, "there is no constant and no input '" + Printable(value.text, 60) + "'" +
@@ -489,7 +425,7 @@ class DocChecker {
   // Set when all inputs are known.
   static bool NamesInputs(std::string_view tag) {
     return tag == "@ordered" || tag == "@not_below" || tag == "@multiple_of" || tag == "@grid_of" ||
-           tag == "@transitions" || tag == "@below" || tag == "@as_long_as";
+           tag == "@transitions" || tag == "@below" || tag == "@as_long_as" || tag == "@asked_at";
   }
 
   // Of a field, the type of its results.
@@ -511,6 +447,7 @@ class DocChecker {
       if (setting.tag.text == "@transitions") SetTransitions(overload, port, setting);
       if (setting.tag.text == "@below") SetBelow(overload, port, setting);
       if (setting.tag.text == "@as_long_as") SetAsLongAs(overload, port, setting);
+      if (setting.tag.text == "@asked_at") SetAskedAt(overload, port, setting);
     }
   }
 
@@ -597,6 +534,19 @@ class DocChecker {
                    "'const' int, ivec2 or int[]");
     }
     port.below = static_cast<uint32_t>(counted - overload.inputs.data());
+  }
+
+  void SetAskedAt(const Overload& overload, Port& port, const Setting& setting) {
+    const Port* coordinate = FindInput(overload, setting);
+    if (!coordinate) return;
+    const bool is_place = coordinate->kind == PortKind::kValue && ir::IsVector(coordinate->type) &&
+                          ir::IsFloat(coordinate->type);
+    if (coordinate == &port || !is_place || port.kind != PortKind::kValue || !port.default_value) {
+      return Error(setting.tag.range,
+                   "'@asked_at' is for a value with a constant as its default, and names another "
+                   "input of floats");
+    }
+    port.asked_at = static_cast<uint32_t>(coordinate - overload.inputs.data());
   }
 
   // Of the return value what this overload's own lines say, else those of any.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "compiler/base/text.h"
 #include "compiler/graph/conversion.h"
 #include "compiler/graph/subgraph_checker.h"
 
@@ -15,6 +16,32 @@ using Kind = Symbol::Kind;
 // The types of the prototype's parameters.
 std::span<const ir::TypeId> ParameterTypes(const ir::Types& types, ir::TypeId field) {
   return std::span(types[field].elements).subspan(1);
+}
+
+// The prototype's parameters for the inputs of a block that is a port's default, by their names.
+// Nothing if it does not fit: the first parameter, the coordinate, must have its input, and every
+// other input a parameter or a default.
+std::optional<std::vector<std::optional<uint32_t>>> MapBlock(const blocks::Port& port,
+                                                             const blocks::Overload& overload,
+                                                             const ir::Types& types) {
+  std::span<const ir::TypeId> given = ParameterTypes(types, port.type);
+  std::vector<std::optional<uint32_t>> by_parameter(overload.inputs.size());
+  bool has_coordinate = false;
+  for (size_t i = 0; i < overload.inputs.size(); ++i) {
+    const blocks::Port& input = overload.inputs[i];
+    auto named = std::ranges::find(port.field_parameters, input.name);
+    if (named != port.field_parameters.end()) {
+      const auto parameter = static_cast<uint32_t>(named - port.field_parameters.begin());
+      if (input.kind != blocks::PortKind::kValue || input.type != given[parameter]) return {};
+      by_parameter[i] = parameter;
+      has_coordinate = has_coordinate || parameter == 0;
+    } else if (input.kind == blocks::PortKind::kField || !input.computed_by.empty() ||
+               (!input.default_value.valid() && input.default_input.empty())) {
+      return {};
+    }
+  }
+  if (!has_coordinate) return {};
+  return by_parameter;
 }
 
 }  // namespace
@@ -162,6 +189,37 @@ std::optional<BoundPort> SubgraphChecker::BindFieldOfFunction(const Target& targ
   FieldOfFunction source{CheckedFunction(function), resolved.output};
   return BoundPort{source, resolved.type, target.port.type, std::move(mapping.by_parameter),
                    argument.range};
+}
+
+// The block that is the port's default.
+std::optional<BoundPort> SubgraphChecker::BindFieldOfBlock(const Target& target,
+                                                           SourceRange range) {
+  const blocks::Port& port = target.port;
+  const ir::Types& types = check_.module.types;
+  const blocks::Block* block = check_.library.Find(port.default_block);
+  if (!block && check_.library.Exists(port.default_block)) {
+    check_.failed = true;  // it is wrong, which was reported
+    return std::nullopt;
+  }
+  const ir::TypeId result = types.ValueOf(port.type);
+  for (const blocks::Overload& overload :
+       block ? std::span(block->overloads) : std::span<const blocks::Overload>()) {
+    const ir::TypeId given = overload.outputs[0].type;
+    if (!ConversionCost(given, result)) continue;
+    if (auto by_parameter = MapBlock(port, overload, types)) {
+      return BoundPort{FieldOfBlock{block, &overload}, given, port.type, std::move(*by_parameter),
+                       range};
+    }
+  }
+  const std::string which =
+      fmt::format("'{}', the default of '{}'", Printable(port.default_block, 64), port.name);
+  check_.diagnostics
+      .Error(
+          DiagnosticKind::kBlockDoc, port.range,
+          block ? fmt::format("{}, does not take what this gives: {}", which, types.Text(port.type))
+                : fmt::format("there is no block {}", which))
+      .AddNote(range, fmt::format("{} is not connected", target.place.Text()));
+  return std::nullopt;
 }
 
 std::optional<int> SubgraphChecker::FieldCost(const blocks::Port& port, const Argument& argument,

@@ -241,6 +241,10 @@ std::optional<BoundPort> SubgraphChecker::BindDefault(const Target& target, Sour
   if (!port.computed_by.empty()) {
     return BoundPort{ComputedValue{}, port.type, port.type, {}, range};
   }
+  if (!port.default_block.empty()) return BindFieldOfBlock(target, range);
+  if (port.asked_at) {
+    return BoundPort{AskedValue{port.default_value}, port.type, port.type, {}, range};
+  }
   if (port.default_value.valid()) {
     if (!field) {
       return BoundPort{ConstantValue{port.default_value}, port.type, port.type, {}, range};

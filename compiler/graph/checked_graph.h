@@ -46,6 +46,11 @@ struct ConstantValue {  // already of the port's type
 // What the port's block computes from other ports ("@computed"); known after BuildModule.
 struct ComputedValue {};
 
+// A port's default that a function port may replace: see blocks::Port::asked_at.
+struct AskedValue {
+  ir::ConstId otherwise;
+};
+
 // What a function port is bound to.
 struct FieldOfTexture {  // texture(t, first parameter), a vec4
   uint32_t texture;
@@ -73,20 +78,26 @@ struct FieldOfFunctionInput {
 struct FieldOfBuiltin {
   uint32_t input;
 };
+// The port's own default. BoundPort::by_parameter[i] is the prototype's parameter for input i of
+// the overload, or none: the input's default, which it has.
+struct FieldOfBlock {
+  const blocks::Block* block;
+  const blocks::Overload* overload;
+};
 struct FieldOfConstant {  // already of the field's result type
   ir::ConstId value;
 };
 
-using Source =
-    std::variant<ConstantValue, NodeOutput, ParameterRef, BuiltinRef, FunctionInputRef, TextureRef,
-                 ComputedValue, FieldOfTexture, FieldOfFunction, FieldOfNode, FieldOfParameter,
-                 FieldOfBuiltin, FieldOfFunctionInput, FieldOfConstant>;
+using Source = std::variant<ConstantValue, NodeOutput, ParameterRef, BuiltinRef, FunctionInputRef,
+                            TextureRef, ComputedValue, AskedValue, FieldOfTexture, FieldOfFunction,
+                            FieldOfNode, FieldOfParameter, FieldOfBuiltin, FieldOfFunctionInput,
+                            FieldOfBlock, FieldOfConstant>;
 
 struct BoundPort {
   Source source;
   ir::TypeId source_type;  // before conversion; for fields, of the value that the source gives
   ir::TypeId type;         // of the port; for fields, the field type
-  std::vector<std::optional<uint32_t>> by_parameter;  // FieldOfFunction only
+  std::vector<std::optional<uint32_t>> by_parameter;  // FieldOfFunction and FieldOfBlock only
   SourceRange range;  // of the argument, or of the node if the default was taken
 };
 

@@ -29,7 +29,8 @@ const Input* FindInput(const Node& node, std::string_view port) {
 }
 
 bool MustBeConnected(const Port& port) {
-  return !port.default_value.valid() && port.default_input.empty() && !port.grid_of;
+  return !port.default_value.valid() && port.default_input.empty() && port.default_block.empty() &&
+         !port.grid_of;
 }
 
 bool HasAllNames(const Overload& overload, const Node& node) {

@@ -139,6 +139,7 @@ class SubgraphChecker {
                                               uint32_t texture);
   std::optional<BoundPort> BindFieldOfFunction(const Target& target, const Argument& argument,
                                                const Resolved& resolved);
+  std::optional<BoundPort> BindFieldOfBlock(const Target& target, SourceRange range);
   struct FieldMapping {
     std::vector<std::optional<uint32_t>> by_parameter;
     std::optional<uint32_t>

@@ -1,4 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+// How many cells for each unit nobody else fades.
+genType unfaded(genType scale, uint faded_cells) {
+  genType cells = abs(scale);
+  return faded_cells == 0u ? cells : cells * (1.0 - step(cells, genType(faded_cells)));
+}
+
 // The slope of 6t^5 - 15t^4 + 10t^3.
 genType fade_slope(genType t) { return 30.0 * t * t * (t - 1.0) * (t - 1.0); }
 
@@ -26,12 +32,13 @@ vec2 rise(vec4 corners, vec2 fade) {
 /// @param seed another seed gives another pattern @default 0
 /// @param period after how many cells the pattern repeats in each direction; 0 never
 ///   @default ivec2(0) @range 0 16777216
-/// @param filtered whether it fades to its mean; false beneath a fractal, which does that itself
-///   @default true
+/// @param filtered whether it fades to its mean @default true
+/// @param faded_cells how many cells for each unit of the coordinate need not fade, because a
+///   fractal that asks fades them itself @default 0u @asked_at uv
 /// @param gradient how much the result changes for each unit of the coordinate, in each direction
 /// @return from 0 to 1, with the mean 0.5
 float gradient_noise(vec2 uv, vec2 scale, int seed, const ivec2 period, const bool filtered,
-                     out vec2 gradient) {
+                     uint faded_cells, out vec2 gradient) {
   // Half of one over the greatest sum that any slopes give: 0.5353, at (0.5, 0.35). In one
   // dimension it is 0.5, in three 0.5629, and 1.5366 in four.
   const float AMPLITUDE = 0.9340967;
@@ -47,7 +54,7 @@ float gradient_noise(vec2 uv, vec2 scale, int seed, const ivec2 period, const bo
   directions2(hash(columns.xyxy + rows.xxyy), x, y);
   vec2 u = t - 1.0;
   vec4 corners = x * vec2(t.x, u.x).xyxy + y * vec2(t.y, u.y).xxyy;
-  vec2 width = footprint(uv) * abs(scale);
+  vec2 width = footprint(uv) * unfaded(scale, faded_cells);
   float blur = filtered ? clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0) : 0.0;
   float amplitude = AMPLITUDE * (1.0 - blur);
   vec2 slope = vec2(across(x, fade), across(y, fade)) + rise(corners, fade) * fade_slope(t);
@@ -59,12 +66,13 @@ float gradient_noise(vec2 uv, vec2 scale, int seed, const ivec2 period, const bo
 /// @param scale cells for each unit of the coordinate @default 8
 /// @param seed another seed gives another pattern @default 0
 /// @param period after how many cells the pattern repeats; 0 never @default 0 @range 0 16777216
-/// @param filtered whether it fades to its mean; false beneath a fractal, which does that itself
-///   @default true
+/// @param filtered whether it fades to its mean @default true
+/// @param faded_cells how many cells for each unit of the coordinate need not fade, because a
+///   fractal that asks fades them itself @default 0u @asked_at uv
 /// @param gradient how much the result changes for each unit of the coordinate
 /// @return from 0 to 1, with the mean 0.5
 float gradient_noise(float uv, float scale, int seed, const int period, const bool filtered,
-                     out float gradient) {
+                     uint faded_cells, out float gradient) {
   float p = uv * scale;
   float base = floor(p);
   float t = p - base;
@@ -72,7 +80,8 @@ float gradient_noise(float uv, float scale, int seed, const int period, const bo
   uvec2 cells = lattice_cells(uint(int(base)), period);
   vec2 slopes = vec2(ivec2(hash(cells + hash(uint(seed))))) * 4.656612873077393e-10;
   vec2 ends = slopes * vec2(t, t - 1.0);
-  float blur = filtered ? clamp(2.0 * footprint(uv) * abs(scale) - 1.0, 0.0, 1.0) : 0.0;
+  float width = footprint(uv) * unfaded(scale, faded_cells);
+  float blur = filtered ? clamp(2.0 * width - 1.0, 0.0, 1.0) : 0.0;
   float amplitude = 1.0 - blur;
   float slope = mix(slopes.x, slopes.y, fade) + (ends.y - ends.x) * fade_slope(t);
   gradient = slope * scale * amplitude;
@@ -84,12 +93,13 @@ float gradient_noise(float uv, float scale, int seed, const int period, const bo
 /// @param seed another seed gives another pattern @default 0
 /// @param period after how many cells the pattern repeats in each direction; 0 never
 ///   @default ivec3(0) @range 0 16777216
-/// @param filtered whether it fades to its mean; false beneath a fractal, which does that itself
-///   @default true
+/// @param filtered whether it fades to its mean @default true
+/// @param faded_cells how many cells for each unit of the coordinate need not fade, because a
+///   fractal that asks fades them itself @default 0u @asked_at uv
 /// @param gradient how much the result changes for each unit of the coordinate, in each direction
 /// @return from 0 to 1, with the mean 0.5
 float gradient_noise(vec3 uv, vec3 scale, int seed, const ivec3 period, const bool filtered,
-                     out vec3 gradient) {
+                     uint faded_cells, out vec3 gradient) {
   const float AMPLITUDE = 0.8882547;
   vec3 p = uv * scale;
   vec3 base = floor(p);
@@ -113,7 +123,7 @@ float gradient_noise(vec3 uv, vec3 scale, int seed, const ivec3 period, const bo
   vec4 front = x0 * tx + y0 * ty + z0 * t.z;
   vec4 back = x1 * tx + y1 * ty + z1 * u.z;
   vec4 face = mix(front, back, fade.z);
-  vec3 width = footprint(uv) * abs(scale);
+  vec3 width = footprint(uv) * unfaded(scale, faded_cells);
   float blur = filtered ? clamp(2.0 * max(max(width.x, width.y), width.z) - 1.0, 0.0, 1.0) : 0.0;
   float amplitude = AMPLITUDE * (1.0 - blur);
   vec3 slope = vec3(across(mix(x0, x1, fade.z), fade.xy), across(mix(y0, y1, fade.z), fade.xy),
@@ -136,12 +146,13 @@ vec4 square(uvec4 bits, vec4 tx, vec4 ty, float tz, float tw, out vec4 x, out ve
 /// @param seed another seed gives another pattern @default 0
 /// @param period after how many cells the pattern repeats in each direction; 0 never
 ///   @default ivec4(0) @range 0 16777216
-/// @param filtered whether it fades to its mean; false beneath a fractal, which does that itself
-///   @default true
+/// @param filtered whether it fades to its mean @default true
+/// @param faded_cells how many cells for each unit of the coordinate need not fade, because a
+///   fractal that asks fades them itself @default 0u @asked_at uv
 /// @param gradient how much the result changes for each unit of the coordinate, in each direction
 /// @return from 0 to 1, with the mean 0.5
 float gradient_noise(vec4 uv, vec4 scale, int seed, const ivec4 period, const bool filtered,
-                     out vec4 gradient) {
+                     uint faded_cells, out vec4 gradient) {
   const float AMPLITUDE = 0.3253974;
   vec4 p = uv * scale;
   vec4 base = floor(p);
@@ -180,7 +191,7 @@ float gradient_noise(vec4 uv, vec4 scale, int seed, const ivec4 period, const bo
   vec4 front = mix(a, c, fade.w);
   vec4 back = mix(b, d, fade.w);
   vec4 face = mix(front, back, fade.z);
-  vec4 width = footprint(uv) * abs(scale);
+  vec4 width = footprint(uv) * unfaded(scale, faded_cells);
   float widest = max(max(width.x, width.y), max(width.z, width.w));
   float blur = filtered ? clamp(2.0 * widest - 1.0, 0.0, 1.0) : 0.0;
   float amplitude = AMPLITUDE * (1.0 - blur);

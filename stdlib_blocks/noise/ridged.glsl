@@ -7,8 +7,8 @@
 /// @source Musgrave, in Ebert et al., Texturing and Modeling, 3rd edition, chapter 16, "Ridged
 ///   multifractal"; here an octave is not cut off where it is strong, which keeps the mean
 /// @param noise the noise, from 0 to 1 with the mean 0.5; with one cell for each unit, that is, at
-///   its `scale` of 1, and best not `filtered`. A function of the graph may take `octave` as well,
-///   as a seed for example
+///   its `scale` of 1. It learns that its cells are faded here already. A function of the graph may
+///   take `octave` as well, as a seed for example @default unit_noise
 /// @param uv coordinate @default uv
 /// @param scale cells of the first octave for each unit of the coordinate @default 8
 /// @param octaves how many times the noise is added @default 5 @range 1 16
@@ -19,7 +19,7 @@
 /// @param far the mean of (1 - |2 noise - 1|)^2: by default that of `gradient_noise` in the plane;
 ///   in space it is 0.665. Of `value_noise` it is 0.448 and 0.500, of `simplex_noise` 0.423 and
 ///   0.637 @default 0.571 @range 0 1
-float noise(genType uv, int octave);
+float noise(genType uv, int octave, uint faded_cells);
 
 float ridged(genType uv, genType scale, const int octaves, const float lacunarity,
              const float gain, float feedback, float far) {
@@ -36,7 +36,7 @@ float ridged(genType uv, genType scale, const int octaves, const float lacunarit
     float near = min(2.0 - 4.0 * width * frequency, 1.0);
     float ridge = far;
     if (near > 0.0) {
-      float height = 1.0 - abs(2.0 * noise(p * frequency + shift, octave) - 1.0);
+      float height = 1.0 - abs(2.0 * noise(p * frequency + shift, octave, 1u) - 1.0);
       ridge = mix(far, height * height, near);
     }
     ridge *= carry;

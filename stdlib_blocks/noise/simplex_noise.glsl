@@ -1,4 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+// How many cells for each unit nobody else fades.
+genType unfaded(genType scale, uint faded_cells) {
+  genType cells = abs(scale);
+  return faded_cells == 0u ? cells : cells * (1.0 - step(cells, genType(faded_cells)));
+}
+
 /// Perlin's noise on triangles and their kin instead of squares: smooth hills and valleys of one
 /// size that lie along no axis, from fewer corners in three dimensions and more.
 /// From 0 to 1, with the mean 0.5. Where a cell is no larger than a pixel, the result has faded to
@@ -11,11 +17,13 @@
 /// @param uv coordinate @default uv
 /// @param scale cells for each unit of the coordinate @default vec2(8)
 /// @param seed another seed gives another pattern @default 0
-/// @param filtered whether it fades to its mean; false beneath a fractal, which does that itself
-///   @default true
+/// @param filtered whether it fades to its mean @default true
+/// @param faded_cells how many cells for each unit of the coordinate need not fade, because a
+///   fractal that asks fades them itself @default 0u @asked_at uv
 /// @param gradient how much the result changes for each unit of the coordinate, in each direction
 /// @return from 0 to 1, with the mean 0.5
-float simplex_noise(vec2 uv, vec2 scale, int seed, const bool filtered, out vec2 gradient) {
+float simplex_noise(vec2 uv, vec2 scale, int seed, const bool filtered, uint faded_cells,
+                    out vec2 gradient) {
   // (sqrt(3) - 1) / 2 and (3 - sqrt(3)) / 6 skew the grid and back.
   const float SKEW = 0.36602540378443865;
   const float BACK = 0.21132486540518713;
@@ -43,7 +51,7 @@ float simplex_noise(vec2 uv, vec2 scale, int seed, const bool filtered, out vec2
   vec3 reach = r2 * r2;
   vec3 along = x.xyz * dx + y.xyz * dy;
   vec3 fall = -8.0 * r2 * r * along;
-  vec2 width = footprint(uv) * abs(scale);
+  vec2 width = footprint(uv) * unfaded(scale, faded_cells);
   float blur = filtered ? clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0) : 0.0;
   float amplitude = AMPLITUDE * (1.0 - blur);
   vec2 slope = vec2(dot(reach, x.xyz) + dot(fall, dx), dot(reach, y.xyz) + dot(fall, dy));
@@ -54,11 +62,13 @@ float simplex_noise(vec2 uv, vec2 scale, int seed, const bool filtered, out vec2
 /// @param uv coordinate
 /// @param scale cells for each unit of the coordinate @default 8
 /// @param seed another seed gives another pattern @default 0
-/// @param filtered whether it fades to its mean; false beneath a fractal, which does that itself
-///   @default true
+/// @param filtered whether it fades to its mean @default true
+/// @param faded_cells how many cells for each unit of the coordinate need not fade, because a
+///   fractal that asks fades them itself @default 0u @asked_at uv
 /// @param gradient how much the result changes for each unit of the coordinate
 /// @return from 0 to 1, with the mean 0.5
-float simplex_noise(float uv, float scale, int seed, const bool filtered, out float gradient) {
+float simplex_noise(float uv, float scale, int seed, const bool filtered, uint faded_cells,
+                    out float gradient) {
   const float AMPLITUDE = 1.580246;
   float p = uv * scale;
   float base = floor(p);
@@ -68,7 +78,8 @@ float simplex_noise(float uv, float scale, int seed, const bool filtered, out fl
   vec2 d = p - base - vec2(0.0, 1.0);
   vec2 r = 1.0 - d * d;
   vec2 r2 = r * r;
-  float blur = filtered ? clamp(2.0 * footprint(uv) * abs(scale) - 1.0, 0.0, 1.0) : 0.0;
+  float width = footprint(uv) * unfaded(scale, faded_cells);
+  float blur = filtered ? clamp(2.0 * width - 1.0, 0.0, 1.0) : 0.0;
   float amplitude = AMPLITUDE * (1.0 - blur);
   gradient = dot(r2 * x, r2 - 8.0 * r * d * d) * scale * amplitude;
   return dot(r2 * r2, x * d) * amplitude + 0.5;
@@ -77,11 +88,13 @@ float simplex_noise(float uv, float scale, int seed, const bool filtered, out fl
 /// @param uv coordinate @default position
 /// @param scale cells for each unit of the coordinate @default vec3(8)
 /// @param seed another seed gives another pattern @default 0
-/// @param filtered whether it fades to its mean; false beneath a fractal, which does that itself
-///   @default true
+/// @param filtered whether it fades to its mean @default true
+/// @param faded_cells how many cells for each unit of the coordinate need not fade, because a
+///   fractal that asks fades them itself @default 0u @asked_at uv
 /// @param gradient how much the result changes for each unit of the coordinate, in each direction
 /// @return from 0 to 1, with the mean 0.5
-float simplex_noise(vec3 uv, vec3 scale, int seed, const bool filtered, out vec3 gradient) {
+float simplex_noise(vec3 uv, vec3 scale, int seed, const bool filtered, uint faded_cells,
+                    out vec3 gradient) {
   const float AMPLITUDE = 54.11245;
   vec3 p = uv * scale;
   vec3 base = floor(p + (p.x + p.y + p.z) / 3.0);
@@ -113,7 +126,7 @@ float simplex_noise(vec3 uv, vec3 scale, int seed, const bool filtered, out vec3
   vec4 reach = r2 * r2;
   vec4 along = x * dx + y * dy + z * dz;
   vec4 fall = -8.0 * r2 * r * along;
-  vec3 width = footprint(uv) * abs(scale);
+  vec3 width = footprint(uv) * unfaded(scale, faded_cells);
   float blur = filtered ? clamp(2.0 * max(max(width.x, width.y), width.z) - 1.0, 0.0, 1.0) : 0.0;
   float amplitude = AMPLITUDE * (1.0 - blur);
   vec3 slope = vec3(dot(reach, x) + dot(fall, dx), dot(reach, y) + dot(fall, dy),
@@ -125,11 +138,13 @@ float simplex_noise(vec3 uv, vec3 scale, int seed, const bool filtered, out vec3
 /// @param uv coordinate
 /// @param scale cells for each unit of the coordinate @default vec4(8)
 /// @param seed another seed gives another pattern @default 0
-/// @param filtered whether it fades to its mean; false beneath a fractal, which does that itself
-///   @default true
+/// @param filtered whether it fades to its mean @default true
+/// @param faded_cells how many cells for each unit of the coordinate need not fade, because a
+///   fractal that asks fades them itself @default 0u @asked_at uv
 /// @param gradient how much the result changes for each unit of the coordinate, in each direction
 /// @return from 0 to 1, with the mean 0.5
-float simplex_noise(vec4 uv, vec4 scale, int seed, const bool filtered, out vec4 gradient) {
+float simplex_noise(vec4 uv, vec4 scale, int seed, const bool filtered, uint faded_cells,
+                    out vec4 gradient) {
   // (sqrt(5) - 1) / 4 and (5 - sqrt(5)) / 20.
   const float SKEW = 0.30901699437494745;
   const float BACK = 0.13819660112501053;
@@ -184,7 +199,7 @@ float simplex_noise(vec4 uv, vec4 scale, int seed, const bool filtered, out vec4
   vec4 along = x * dx + y * dy + z * dz + w * dw;
   float along5 = dot(last, e);
   vec4 fall = -8.0 * r2 * r * along;
-  vec4 width = footprint(uv) * abs(scale);
+  vec4 width = footprint(uv) * unfaded(scale, faded_cells);
   float widest = max(max(width.x, width.y), max(width.z, width.w));
   float blur = filtered ? clamp(2.0 * widest - 1.0, 0.0, 1.0) : 0.0;
   float amplitude = AMPLITUDE * (1.0 - blur);

@@ -1,4 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+// How many cells for each unit nobody else fades.
+genType unfaded(genType scale, uint faded_cells) {
+  genType cells = abs(scale);
+  return faded_cells == 0u ? cells : cells * (1.0 - step(cells, genType(faded_cells)));
+}
+
 // The slope of 6t^5 - 15t^4 + 10t^3.
 genType fade_slope(genType t) { return 30.0 * t * t * (t - 1.0) * (t - 1.0); }
 
@@ -24,12 +30,13 @@ vec4 unit(uvec4 bits) { return vec4(bits >> 8u) * 5.9604644775390625e-8; }
 /// @param seed another seed gives another pattern @default 0
 /// @param period after how many cells the pattern repeats in each direction; 0 never
 ///   @default ivec2(0) @range 0 16777216
-/// @param filtered whether it fades to its mean; false beneath a fractal, which does that itself
-///   @default true
+/// @param filtered whether it fades to its mean @default true
+/// @param faded_cells how many cells for each unit of the coordinate need not fade, because a
+///   fractal that asks fades them itself @default 0u @asked_at uv
 /// @param gradient how much the result changes for each unit of the coordinate, in each direction
 /// @return from 0 to 1
 float value_noise(vec2 uv, vec2 scale, int seed, const ivec2 period, const bool filtered,
-                  out vec2 gradient) {
+                  uint faded_cells, out vec2 gradient) {
   vec2 p = uv * scale;
   vec2 base = floor(p);
   vec2 t = p - base;
@@ -40,7 +47,7 @@ float value_noise(vec2 uv, vec2 scale, int seed, const ivec2 period, const bool 
   vec4 corners = vec4(hash(columns.xyxy + rows.xxyy) >> 8u) * 5.9604644775390625e-8;
   float low = mix(corners.x, corners.y, fade.x);
   float high = mix(corners.z, corners.w, fade.x);
-  vec2 width = footprint(uv) * abs(scale);
+  vec2 width = footprint(uv) * unfaded(scale, faded_cells);
   float blur = filtered ? clamp(2.0 * max(width.x, width.y) - 1.0, 0.0, 1.0) : 0.0;
   vec2 rise = vec2(mix(corners.y - corners.x, corners.w - corners.z, fade.y), high - low);
   gradient = rise * fade_slope(t) * scale * (1.0 - blur);
@@ -51,19 +58,21 @@ float value_noise(vec2 uv, vec2 scale, int seed, const ivec2 period, const bool 
 /// @param scale cells for each unit of the coordinate @default 8
 /// @param seed another seed gives another pattern @default 0
 /// @param period after how many cells the pattern repeats; 0 never @default 0 @range 0 16777216
-/// @param filtered whether it fades to its mean; false beneath a fractal, which does that itself
-///   @default true
+/// @param filtered whether it fades to its mean @default true
+/// @param faded_cells how many cells for each unit of the coordinate need not fade, because a
+///   fractal that asks fades them itself @default 0u @asked_at uv
 /// @param gradient how much the result changes for each unit of the coordinate
 /// @return from 0 to 1
 float value_noise(float uv, float scale, int seed, const int period, const bool filtered,
-                  out float gradient) {
+                  uint faded_cells, out float gradient) {
   float p = uv * scale;
   float base = floor(p);
   float t = p - base;
   float fade = t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
   uvec2 columns = lattice_cells(uint(int(base)), period);
   vec2 ends = vec2(hash(columns + hash(uint(seed))) >> 8u) * 5.9604644775390625e-8;
-  float blur = filtered ? clamp(2.0 * footprint(uv) * abs(scale) - 1.0, 0.0, 1.0) : 0.0;
+  float width = footprint(uv) * unfaded(scale, faded_cells);
+  float blur = filtered ? clamp(2.0 * width - 1.0, 0.0, 1.0) : 0.0;
   gradient = (ends.y - ends.x) * fade_slope(t) * scale * (1.0 - blur);
   return mix(mix(ends.x, ends.y, fade), 0.5, blur);
 }
@@ -73,12 +82,13 @@ float value_noise(float uv, float scale, int seed, const int period, const bool 
 /// @param seed another seed gives another pattern @default 0
 /// @param period after how many cells the pattern repeats in each direction; 0 never
 ///   @default ivec3(0) @range 0 16777216
-/// @param filtered whether it fades to its mean; false beneath a fractal, which does that itself
-///   @default true
+/// @param filtered whether it fades to its mean @default true
+/// @param faded_cells how many cells for each unit of the coordinate need not fade, because a
+///   fractal that asks fades them itself @default 0u @asked_at uv
 /// @param gradient how much the result changes for each unit of the coordinate, in each direction
 /// @return from 0 to 1
 float value_noise(vec3 uv, vec3 scale, int seed, const ivec3 period, const bool filtered,
-                  out vec3 gradient) {
+                  uint faded_cells, out vec3 gradient) {
   vec3 p = uv * scale;
   vec3 base = floor(p);
   vec3 t = p - base;
@@ -89,7 +99,7 @@ float value_noise(vec3 uv, vec3 scale, int seed, const ivec3 period, const bool 
   uvec4 rows = hash(lattice_cells(cell.y, period.y).xyxy + slices.xxyy);
   vec4 front = unit(hash(columns + rows.xxyy));
   vec4 back = unit(hash(columns + rows.zzww));
-  vec3 width = footprint(uv) * abs(scale);
+  vec3 width = footprint(uv) * unfaded(scale, faded_cells);
   float blur = filtered ? clamp(2.0 * max(max(width.x, width.y), width.z) - 1.0, 0.0, 1.0) : 0.0;
   vec4 face = mix(front, back, fade.z);
   vec3 rise = vec3(mix(face.y - face.x, face.w - face.z, fade.y),
@@ -103,12 +113,13 @@ float value_noise(vec3 uv, vec3 scale, int seed, const ivec3 period, const bool 
 /// @param seed another seed gives another pattern @default 0
 /// @param period after how many cells the pattern repeats in each direction; 0 never
 ///   @default ivec4(0) @range 0 16777216
-/// @param filtered whether it fades to its mean; false beneath a fractal, which does that itself
-///   @default true
+/// @param filtered whether it fades to its mean @default true
+/// @param faded_cells how many cells for each unit of the coordinate need not fade, because a
+///   fractal that asks fades them itself @default 0u @asked_at uv
 /// @param gradient how much the result changes for each unit of the coordinate, in each direction
 /// @return from 0 to 1
 float value_noise(vec4 uv, vec4 scale, int seed, const ivec4 period, const bool filtered,
-                  out vec4 gradient) {
+                  uint faded_cells, out vec4 gradient) {
   vec4 p = uv * scale;
   vec4 base = floor(p);
   vec4 t = p - base;
@@ -124,7 +135,7 @@ float value_noise(vec4 uv, vec4 scale, int seed, const ivec4 period, const bool 
   vec4 near_back = unit(hash(columns + near.zzww));
   vec4 far_front = unit(hash(columns + far.xxyy));
   vec4 far_back = unit(hash(columns + far.zzww));
-  vec4 width = footprint(uv) * abs(scale);
+  vec4 width = footprint(uv) * unfaded(scale, faded_cells);
   float widest = max(max(width.x, width.y), max(width.z, width.w));
   float blur = filtered ? clamp(2.0 * widest - 1.0, 0.0, 1.0) : 0.0;
   vec4 front = mix(near_front, far_front, fade.w);

@@ -267,15 +267,17 @@ void MeasureCompilation(const std::string& root, Report& report) {
 void MeasureShaders(const std::string& root, const std::string& only_graph, Report& report) {
   std::vector<fs::path> references;
   for (const fs::directory_entry& entry : fs::directory_iterator(root + "/tests/bench/reference")) {
-    references.push_back(entry.path());
+    if (entry.path().extension() == ".frag") references.push_back(entry.path());
   }
   std::ranges::sort(references);
   std::vector<ShaderFigures> shaders;
   for (const fs::path& reference : references) {
     std::string name = reference.stem().string();
     if (!only_graph.empty() && name != only_graph) continue;
-    for (const char* extension : {".json", ".jsonc", ".yaml"}) {
-      std::string graph = fmt::format("{}/graphs/{}/{}{}", root, name, name, extension);
+    // An example, or a graph beside the reference that was written for nothing else.
+    const std::string example = fmt::format("{0}/graphs/{1}/{1}", root, name);
+    for (const std::string& graph : {example + ".json", example + ".jsonc", example + ".yaml",
+                                     fs::path(reference).replace_extension(".json").string()}) {
       if (!fs::exists(graph)) continue;
       shaders.push_back(MeasureShader(graph, reference.string()));
       if (shaders.back().name.empty()) shaders.back().name = name;

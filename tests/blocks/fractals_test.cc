@@ -73,19 +73,20 @@ double Fold(Kind kind, double noise) {
 }
 
 // The definition: octave i weighs gain^i, and follows the one before.
-double Fractal(Kind kind, const Place& uv, const Settings& s) {
+double FractalOf(Kind kind, const Place& uv, const Settings& s, uint32_t seed) {
   double sum = 0, weights = 0, carry = 1;
   const bool follows = kind == Kind::kBillow || kind == Kind::kRidged;
   for (int i = 0; i < s.octaves; ++i) {
     Place p = uv;
     for (double& x : p) x = x * s.scale * std::pow(s.lacunarity, i) + 37.7 * i;
-    const double octave = Fold(kind, NoiseAt(Noise::kGradient, p, 5)) * carry;
+    const double octave = Fold(kind, NoiseAt(Noise::kGradient, p, seed)) * carry;
     sum += std::pow(s.gain, i) * octave;
     weights += std::pow(s.gain, i);
     if (follows) carry = 1 - s.feedback + s.feedback * octave;
   }
   return sum / weights;
 }
+double Fractal(Kind kind, const Place& uv, const Settings& s) { return FractalOf(kind, uv, s, 5); }
 
 struct Case {
   const char* block;
@@ -195,6 +196,122 @@ TEST(FoldedNoiseTest, HasTheMeansOfTheTexts) {
       // Four standard deviations of 60,000 numbers, which deviate by at most 0.3.
       EXPECT_NEAR(folded, wanted.folded[dimensions - 2], 0.005);
       EXPECT_NEAR(ridge, wanted.ridge[dimensions - 2], 0.005);
+    }
+  }
+}
+
+// How much is left of cells that are so many pixels small: all at two pixels, nothing at one.
+double Left(double cells_a_pixel) { return std::clamp(2 - 2 * cells_a_pixel, 0.0, 1.0); }
+
+// Five octaves of Perlin's noise at one pixel size. `cells`: of the noise for each unit; what has
+// more than one fades for itself as well.
+double FadedFbm(const Place& uv, double scale, double pixel, double cells, uint32_t seed) {
+  double sum = 0.5;
+  for (int i = 0; i < 5; ++i) {
+    Place p = uv;
+    for (double& x : p) x = cells * (x * scale * std::pow(2, i) + 37.7 * i);
+    const double width = pixel * scale * std::pow(2, i);
+    const double left = Left(width) * (cells > 1 ? Left(cells * width) : 1);
+    const double weight = 16.0 / 31 / std::pow(2, i);
+    sum += weight * left * (NoiseAt(Noise::kGradient, p, seed) - 0.5);
+  }
+  return sum;
+}
+
+// Octaves fade once: by the fractal, which the noise learns, whether it is connected as a node,
+// through other nodes or as a function. What has more cells, or lies at another place than the
+// fractal asks at, still fades for itself.
+TEST(FbmTest, FadesItsOctavesOnce) {
+  const std::string functions = R"({"texgraph": 1, "functions": {
+      "noise": {"inputs": {"place": "vec2"},
+        "nodes": {"n": {"block": "gradient_noise", "in": {"uv": "place", "scale": 1, "seed": 5}}},
+        "outputs": {"value": "n"}},
+      "outer": {"inputs": {"p": "vec2"},
+        "nodes": {"n": {"block": "noise", "in": {"place": "p"}}}, "outputs": {"value": "n"}}},
+    "nodes": {)";
+  const std::string one = R"("n": {"block": "gradient_noise", "in": {"scale": 1, "seed": 5}})";
+  const std::string moved = R"("p": {"block": "multiply", "in": {"a": "uv", "b": 8}},
+      "n": {"block": "gradient_noise", "in": {"uv": "p", "scale": 1, "seed": 5}})";
+  const struct {
+    std::string nodes;
+    const char* noise;
+    double cells;
+  } kCases[] = {
+      {one, "n", 1},
+      {one + R"(, "m": {"block": "maximum", "in": {"a": "n", "b": 0}})", "m", 1},
+      {R"("unused": {"block": "float_constant", "in": {"value": 0}})", "noise", 1},
+      {R"("unused": {"block": "float_constant", "in": {"value": 0}})", "outer", 1},
+      {R"("n": {"block": "noise", "in": {"place": "uv"}})", "n", 1},
+      {R"("n": {"block": "gradient_noise", "in": {"scale": 8, "seed": 5}})", "n", 8},
+      {moved, "n", 8},
+      {R"("p": {"block": "multiply", "in": {"a": "uv", "b": 8}},
+          "n": {"block": "noise", "in": {"place": "p"}})",
+       "n", 8},
+  };
+  const std::vector<Point> points = Scatter(200);
+  for (const auto& wanted : kCases) {
+    // Of the third octave, three quarters of which are left, the cells are 1.6 pixels large; if the
+    // noise has 8 cells where the fractal has one, these are those of the noise.
+    const double scale = 4 / wanted.cells, pixel = 1 / (16 * 1.6);
+    const std::string graph =
+        functions + wanted.nodes + R"(, "f": {"block": "fbm", "in": {"noise": ")" + wanted.noise +
+        R"(", "scale": )" + std::to_string(scale) + R"(}}}, "outputs": {"height": "f"}})";
+    auto outputs = RunGraph(graph, points, {pixel, pixel}, 2e-3);
+    ASSERT_EQ(outputs.size(), 1u) << graph;
+    double farthest = 0;
+    for (size_t i = 0; i < points.size(); ++i) {
+      const double expected = FadedFbm({points[i].x, points[i].y}, scale, pixel, wanted.cells, 5);
+      farthest = std::max(farthest, std::fabs(outputs["height"].Float(i) - expected));
+    }
+    EXPECT_LT(farthest, 1e-3) << graph;
+  }
+}
+
+// Where a function port within asks at places of its own, these are no octave's.
+TEST(FbmTest, OtherPortsBeginAnew) {
+  const std::vector<Point> points = Scatter(200);
+  const double pixel = 1 / (16 * 1.6);
+  const std::string one = R"("n": {"block": "gradient_noise", "in": {"scale": 1, "seed": 5}},)";
+  const std::string scaled = R"("n": {"block": "gradient_noise", "in": {"scale": 8, "seed": 5}},)";
+  // A warp by nothing, at 8 times the coordinate.
+  const std::string warped = one + R"("p": {"block": "multiply", "in": {"a": "uv", "b": 8}},
+      "w": {"block": "vector_warp", "in":
+          {"image": "n", "uv": "p", "amount": 0, "displacement": [0, 0]}},
+      "f": {"block": "fbm", "in": {"noise": "w", "scale": 0.5}})";
+  const Values seen = RunNodes(warped, R"("height": "f")", points, pixel, 2e-3);
+  const Values wanted =
+      RunNodes(scaled + R"("f": {"block": "fbm", "in": {"noise": "n", "scale": 0.5}})",
+               R"("height": "f")", points, pixel, 2e-3);
+  for (size_t i = 0; i < points.size(); ++i) EXPECT_NEAR(seen.Float(i), wanted.Float(i), 1e-4);
+}
+
+// Without a noise, fractals have "unit_noise", in as many dimensions as their coordinate.
+TEST_P(FractalTest, NeedsNoNoise) {
+  const std::vector<Point> points = Scatter(100);
+  const Kind kind = GetParam().kind;
+  const std::string block = GetParam().block;
+  const Settings settings{3, 4, 2.5, 0.6, 0.8};
+  const std::string ports = Ports(settings, kind == Kind::kBillow || kind == Kind::kRidged);
+  const struct {
+    const char* uv;
+    std::vector<double> more;
+    size_t dimensions;
+  } kCases[] = {{"", {}, 2},
+                {R"(, "uv": "p3")", {0.3}, 3},
+                {R"(, "uv": "parts.x")", {}, 1},
+                {R"(, "uv": "p4")", {0.3, 0.7}, 4}};
+  for (const auto& c : kCases) {
+    const Values seen = RunNodes(R"("parts": {"block": "components", "in": {"vector": "uv"}},
+            "p3": {"block": "combine3", "in": {"x": "parts.x", "y": "parts.y", "z": 0.3}},
+            "p4": {"block": "combine4", "in": {"x": "parts.x", "y": "parts.y", "z": 0.3, "w": 0.7}},
+            "f": {"block": ")" + block +
+                                     R"(", "in": {)" + ports + c.uv + "}}",
+                                 R"("height": "f")", points, 1e-5, 2e-3);
+    for (size_t i = 0; i < points.size(); ++i) {
+      Place place = {points[i].x, points[i].y};
+      place.insert(place.end(), c.more.begin(), c.more.end());
+      place.resize(c.dimensions);
+      EXPECT_NEAR(seen.Float(i), FractalOf(kind, place, settings, 0), 1e-3) << c.dimensions;
     }
   }
 }

@@ -80,7 +80,7 @@ class BlockCatalog {
 };
 
 inline bool IsRequired(const blocks::Port& port) {
-  return !port.default_value.valid() && port.default_input.empty();
+  return !port.default_value.valid() && port.default_input.empty() && port.default_block.empty();
 }
 
 }  // namespace texgraph::fuzz

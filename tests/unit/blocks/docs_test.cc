@@ -232,6 +232,36 @@ TEST(BlockDocs, DefaultsOfGenType) {
   EXPECT_NE(ReportOf("/// @param a it @default neighbour\ngenType x(genType a) { return a; }"), "");
 }
 
+// What function ports replace, and which blocks stand at them.
+TEST(BlockDocs, AskedAtAndBlocksAsDefaults) {
+  TestLibrary test(Files{{"x.glsl",
+                          "/// X.\n/// @param f it @default any_block\n/// @param uv where\n"
+                          "/// @param a how @default 2 @asked_at uv\nfloat f(vec2 uv, int a);\n"
+                          "float x(vec2 uv, int a) { return f(uv, a); }"}});
+  const Block* block = test.library.Find("x");
+  ASSERT_NE(block, nullptr) << test.Report();
+  const std::vector<Port>& in = block->overloads[0].inputs;
+  EXPECT_EQ(in[0].default_block, "any_block");
+  EXPECT_EQ(in[1].asked_at, std::nullopt);
+  EXPECT_EQ(in[2].asked_at, 1u);
+  const std::string wrong =
+      "'@asked_at' is for a value with a constant as its default, and names another input of "
+      "floats [block-doc]\n";
+  // No default, no coordinate, itself, known when the shader is made, and an output.
+  EXPECT_EQ(ReportOf("/// @param a it @asked_at b\nfloat x(float a, vec2 b) { return a; }"),
+            "1:17: " + wrong);
+  EXPECT_EQ(
+      ReportOf("/// @param a it @default 1 @asked_at b\nfloat x(int a, int b) { return 0.0; }"),
+      "1:28: " + wrong);
+  EXPECT_EQ(ReportOf("/// @param a it @default 1 @asked_at a\nfloat x(float a) { return a; }"),
+            "1:28: " + wrong);
+  EXPECT_EQ(ReportOf("/// @param a it @default 1 @asked_at b\n"
+                     "float x(const float a, vec2 b) { return a; }"),
+            "1:28: " + wrong);
+  EXPECT_EQ(ReportOf("/// @param o it @asked_at b\nvoid x(vec2 b, out float o) { o = b.x; }"),
+            "1:17: an output has no '@asked_at' [block-doc]\n");
+}
+
 TEST(BlockDocs, Lengths) {
   TestLibrary test(Files{{"x.glsl",
                           "const vec2 LINE[2] = vec2[](vec2(0.0), vec2(1.0));\n"

@@ -148,6 +148,27 @@ TEST(CheckGraph, GraphFunctionsAtFunctionPorts) {
             "height=field function relief.0(10):float at=uv:vec2");
 }
 
+// A block as the default of a function port: of its versions the one that takes what the port
+// gives.
+TEST(CheckGraph, BlocksAsDefaultsOfFunctionPorts) {
+  EXPECT_EQ(Node("t_sum", ""), "waves=field block t_waves(0-1):float uv=uv:vec2");
+  EXPECT_EQ(Node("t_sum", R"("uv": "position")"),
+            "waves=field block t_waves(0-1):float uv=position:vec3");
+  EXPECT_EQ(Node("t_sum", R"("waves": 0.5)"), "waves=field 0.5:float uv=uv:vec2");
+  EXPECT_EQ(Node("t_waves", ""), "uv=uv:vec2 height=1.0:float faint=asked 0:int");
+  EXPECT_EQ(Node("t_waves", R"("faint": 3)"), "uv=uv:vec2 height=1.0:float faint=3:int");
+  EXPECT_EQ(Node("t_lost", ""),
+            "there is no block 't_wave', the default of 'waves'\n"
+            "  port 'waves' of node 'n' is not connected\n");
+  EXPECT_EQ(Node("t_odd", ""),
+            "'t_waves', the default of 'waves', does not take what this gives: field(vec2) -> float\n"
+            "  port 'waves' of node 'n' is not connected\n");
+  // No version for a number.
+  EXPECT_EQ(Node("t_sum", R"("uv": "time")"),
+            "'t_waves', the default of 'waves', does not take what this gives: field(float, int) -> float\n"
+            "  port 'waves' of node 'n' is not connected\n");
+}
+
 TEST(CheckGraph, GraphFunctionsAreBlocks) {
   CheckText check(R"(
       "functions": {

@@ -109,6 +109,32 @@ vec2 t_limits(vec2 low, vec2 high, vec2 size, const int first, int last) {
   return clamp(size, low, high) + vec2(first, last);
 }
 )"},
+    {"t_waves", R"(/// Waves, which may be told to be faint.
+/// @param uv where @default uv
+/// @param height how high @default 1.0
+/// @param faint how faint @default 0 @asked_at uv
+float t_waves(vec2 uv, const float height, int faint) { return height * sin(uv.x) - float(faint); }
+/// @param uv where
+float t_waves(vec3 uv, const float height, int faint) { return height * sin(uv.x) - float(faint); }
+)"},
+    {"t_sum", R"(/// Asks waves twice.
+/// @param waves what is summed @default t_waves
+/// @param uv where @default uv
+float waves(genType uv, int faint);
+float t_sum(genType uv) { return waves(uv, 1) + waves(uv * 2.0, 2); }
+)"},
+    {"t_lost", R"(/// Its default is no block.
+/// @param waves what is summed @default t_wave
+/// @param uv where @default uv
+float waves(vec2 uv);
+float t_lost(vec2 uv) { return waves(uv); }
+)"},
+    {"t_odd", R"(/// Its default takes other things.
+/// @param waves what is summed @default t_waves
+/// @param uv where @default uv
+float waves(vec2 place);
+float t_odd(vec2 uv) { return waves(uv); }
+)"},
     {"t_whole", R"(/// Integers and a bool.
 /// @param v a vector @default ivec2(1, 2)
 /// @param u not negative @default 7u
@@ -189,6 +215,9 @@ std::string CheckText::SourceText(const CheckedSubgraph& subgraph, const BoundPo
     return fmt::format("{}.{}", subgraph.nodes.at(from.node).node->name, from.output);
   };
   if (auto* value = std::get_if<ConstantValue>(&source)) return ConstantText(module, value->value);
+  if (auto* value = std::get_if<AskedValue>(&source)) {
+    return "asked " + ConstantText(module, value->otherwise);
+  }
   if (auto* from = std::get_if<NodeOutput>(&source)) return output(*from);
   if (auto* from = std::get_if<ParameterRef>(&source)) {
     return std::string(graph->parameters[from->parameter].name);
@@ -208,6 +237,11 @@ std::string CheckText::SourceText(const CheckedSubgraph& subgraph, const BoundPo
   if (auto* from = std::get_if<FieldOfFunction>(&source)) {
     std::string text = fmt::format("field function {}.{}(",
                                    checked->functions[from->function].subgraph->name, from->output);
+    for (const auto& p : port.by_parameter) text += p ? fmt::format("{}", *p) : "-";
+    return text + ")";
+  }
+  if (auto* from = std::get_if<FieldOfBlock>(&source)) {
+    std::string text = fmt::format("field block {}(", from->block->name);
     for (const auto& p : port.by_parameter) text += p ? fmt::format("{}", *p) : "-";
     return text + ")";
   }
