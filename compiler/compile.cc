@@ -164,7 +164,8 @@ std::optional<Lowered> Lower(SourceId source, graph::DocumentFormat format,
   const std::vector<bool> changed = passes::Differentiate(module, options.optimize);
   if (options.optimize) passes::Simplify(module, changed);
   dump.After("differentiate");
-  if (!glsl::Legalize(module, DialectOf(options.target), diagnostics)) return std::nullopt;
+  const SourceRange where = lowered.graph->range;
+  if (!glsl::Legalize(module, DialectOf(options.target), diagnostics, where)) return std::nullopt;
   dump.After("legalize");
   return lowered;
 }
