@@ -169,6 +169,37 @@ TEST(Bomb3Test, OrdersByKeyOrNearnessOrRows) {
   ExpectTopmost(sizes + "\"key\"", space, [](const Body&, const Body&) { return true; });
 }
 
+// Half of the light goes through each copy: the topmost has half of what is seen, the next a
+// quarter.
+TEST(Bomb3Test, CompositesFromTheTopmostDown) {
+  const std::vector<Point> points = Scatter(300);
+  auto outputs = Draw(R"(, "coverage": 0.5, "size": 1.5, "shape": "ball")", points);
+  ASSERT_EQ(outputs.size(), 3u);
+  size_t deepest = 0;
+  for (size_t i = 0; i < points.size(); ++i) {
+    Vec3 p = OnPlane(points[i]);
+    for (double& x : p) x *= kScale;
+    std::vector<Body> bodies = BodiesAt({.size_min = 1.5, .size_max = 1.5, .is_ball = true}, p);
+    if (std::ranges::any_of(bodies, [](const Body& b) { return std::fabs(b.edge) < 2e-3; })) {
+      continue;
+    }
+    std::erase_if(bodies, [](const Body& b) { return b.edge < 0; });
+    std::ranges::sort(bodies, IsOfHigherRank);
+    deepest = std::max(deepest, bodies.size());
+    double through = 1;
+    Vec3 light{};
+    for (const Body& body : bodies) {
+      through /= 2;
+      for (size_t c = 0; c < 3; ++c) light[c] += through * body.q[c];
+    }
+    ASSERT_NEAR(outputs["color"].Float(i, 3), 1 - through, 1e-3) << i;
+    for (size_t c = 0; c < 3 && through < 1; ++c) {
+      ASSERT_NEAR(outputs["color"].Float(i, c), light[c] / (1 - through), 2e-3) << i;
+    }
+  }
+  EXPECT_GE(deepest, 4u);
+}
+
 // By the y of their centres, with numbers below and above 0.
 TEST(Bomb3Test, AsksTheKeyOfEachCopy) {
   const std::string text = R"({"texgraph": 1,
@@ -256,6 +287,10 @@ TEST(Bomb3Test, LooksAtAsManyCellsAsTheRangesNeed) {
     int columns, rows, slices;
   };
   const Vector up{0, 0, 1}, all{1, 1, 1};
+  auto tumbled =
+      RunBlock("bomb3_reach",
+               {{"size", Vectors({{1, 2}})}, {"tumble", Bools({true})}, {"shape", Word{"cube"}}});
+  EXPECT_NEAR(tumbled["result"].Float(0, 1), std::sqrt(3.0), 1e-6);
   const Case cases[] = {
       {{1, 1, 1}, {1, 1}, {0, 0}, up, false, "cube", 2, 2, 2},  // the chapter's
       {{1, 1, 1}, {0.3, 1}, {0, 0}, up, true, "ball", 2, 2, 2},
