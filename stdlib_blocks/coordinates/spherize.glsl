@@ -11,12 +11,13 @@
 /// @param amount 1 is a ball, 0 flat, -1 the opposite of a ball @default 1 @range -1 1
 /// @param radius of the circle; above 0 @default 0.5
 vec2 spherize(vec2 uv, vec2 center, float amount, float radius) {
-  vec2 p = (uv - center) / radius;
+  float reach = max(radius, 1e-6);
+  vec2 p = (uv - center) / reach;
   float square = clamp(dot(p, p), 1e-12, 1.0);
   float r = sqrt(square);
   // asin(r), with a slope that stays finite at the rim.
   float ball = atan(r, sqrt(max(1.0 - square, 1e-8))) * 0.63661977236758134;
   float pinched = sin(1.5707963267948966 * r);
   float share = mix(r, amount < 0.0 ? pinched : ball, abs(amount));
-  return center + radius * p * (share / r);
+  return center + reach * p * (share / r);
 }

@@ -21,7 +21,7 @@ genType triplanar(vec3 position, vec3 normal, float scale, float sharpness) {
   vec3 facing = abs(normal);
   float most = max(max(facing.x, facing.y), max(facing.z, 1e-20));
   vec3 weight = max(pow(facing / most, vec3(sharpness)) - 0.001, 0.0);
-  weight /= weight.x + weight.y + weight.z;
+  weight /= max(weight.x + weight.y + weight.z, 1e-20);
   vec3 side = vec3(normal.x < 0.0 ? -1.0 : 1.0, normal.y < 0.0 ? -1.0 : 1.0,
                    normal.z < 0.0 ? -1.0 : 1.0);
   genType sum = genType(0.0);

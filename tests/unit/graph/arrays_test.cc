@@ -31,7 +31,7 @@ struct ArrayLiteral : ::testing::Test {
   std::string Made(const Argument& argument, ir::TypeId element, uint32_t length = 0) {
     Diagnostics diagnostics;
     ir::TypeId type = module.types.Array(element, length);
-    auto made = MakeLiteral(argument, type, {"port", "p"}, module, diagnostics);
+    auto made = MakeLiteral(argument, type, {"port", "p", "", "", {}}, module, diagnostics);
     // The choice of an overload looks at everything but the sizes of numbers.
     bool fits = made || diagnostics.all()[0].kind == DiagnosticKind::kNumberRange;
     EXPECT_EQ(LiteralCost(argument, type, module.types).has_value(), fits);
