@@ -30,13 +30,13 @@ vec4 straight(vec4 color) { return vec4(color.rgb / max(color.a, 1e-20), color.a
 /// @param mode what becomes of the places: blur, their mean; min, max, the least or greatest
 ///   @default MODE_BLUR
 /// @param smallest_step the least distance over which a slope is taken, in the units of uv
-///   @default 0.0005 @range 1e-7 1
+///   @default 0.0005 @range 1e-5 1
 genType image(vec2 uv);
 float height(vec2 uv);
 
 genType slope_blur(vec2 uv, float amount, const int taps, const int mode, float smallest_step) {
   vec2 pixel = footprint(uv);
-  vec2 apart = max(pixel, smallest_step);
+  vec2 apart = max(pixel, max(smallest_step, 1e-5));
   vec2 across = vec2(0.5 * apart.x, 0.0);
   vec2 along = vec2(0.0, 0.5 * apart.y);
   genType sum = weighed(image(uv));

@@ -237,47 +237,44 @@ float worn_paint_curvature(vec2 uv, vec2 uv_dx, vec2 uv_dy, out float result_dx,
   vec2 slope = 0.5 * vec2(east - west, north - south) / apart;
   vec2 slope_dx = vec2(east_dx - west_dx, north_dx - south_dx) * 0.5 / apart;
   vec2 slope_dy = vec2(east_dy - west_dy, north_dy - south_dy) * 0.5 / apart;
+  vec2 slope2 = clamp(slope, -10000.0, 10000.0);
+  bvec2 test = lessThan(slope, vec2(-10000.0));
+  bvec2 test2 = lessThan(vec2(10000.0), slope);
+  slope_dx = mix(mix(slope_dx, vec2(0.0), test2), vec2(0.0), test);
+  slope_dy = mix(mix(slope_dy, vec2(0.0), test2), vec2(0.0), test);
   vec2 product9 = apart * apart;
   vec2 bend = vec2(east + west, north + south) / product9;
-  bvec2 test = notEqual(product9, vec2(0.0));
-  vec2 bend_dx = mix(vec2(0.0), vec2(east_dx + west_dx, north_dx + south_dx) / product9, test);
-  vec2 bend_dy = mix(vec2(0.0), vec2(east_dy + west_dy, north_dy + south_dy) / product9, test);
+  bvec2 test3 = notEqual(product9, vec2(0.0));
+  vec2 bend_dx = mix(vec2(0.0), vec2(east_dx + west_dx, north_dx + south_dx) / product9, test3);
+  vec2 bend_dy = mix(vec2(0.0), vec2(east_dy + west_dy, north_dy + south_dy) / product9, test3);
   float product10 = apart.x * apart.y;
   float shear = 0.25 * twist / product10;
   float shear_dx = twist_dx * 0.25 / product10;
   float shear_dy = twist_dy * 0.25 / product10;
-  vec2 square_slope = slope + slope;
-  vec2 square = 1.0 + slope * slope;
-  float projection = dot(slope_dx, slope);
+  float projection = dot(slope_dx, slope2);
   float root_dx = projection + projection;
-  float projection2 = dot(slope_dy, slope);
+  float projection2 = dot(slope_dy, slope2);
   float root_dy = projection2 + projection2;
-  float root = 1.0 + dot(slope, slope);
-  vec2 square_dx = slope_dx * square_slope;
-  vec2 square_dy = slope_dy * square_slope;
-  float sum3 = square_dx.y * bend.x + square.y * bend_dx.x
-      + (square_dx.x * bend.y + square.x * bend_dx.y);
-  float sum4 = square_dy.y * bend.x + square.y * bend_dy.x
-      + (square_dy.x * bend.y + square.x * bend_dy.y);
-  float product11 = 2.0 * slope.x;
-  float product12 = product11 * slope.y;
-  float sum5 = (slope_dx.x * 2.0 * slope.y + product11 * slope_dx.y) * shear + product12 * shear_dx;
-  float sum6 = (slope_dy.x * 2.0 * slope.y + product11 * slope_dy.y) * shear + product12 * shear_dy;
-  float sum = square.y * bend.x + square.x * bend.y - product12 * shear;
-  float sum_dx = sum3 - sum5;
-  float sum_dy = sum4 - sum6;
-  float root2 = sqrt(root);
-  float greatest = max(root2, 1e-20);
-  float product13 = root * root2;
-  float ratio = -0.015 * sum / product13;
-  bool test2 = product13 != 0.0;
-  float difference3 = sum_dx * -0.015
-      - ratio * (root_dx * root2 + root * (0.5 * root_dx / greatest));
-  float difference4 = sum_dy * -0.015
-      - ratio * (root_dy * root2 + root * (0.5 * root_dy / greatest));
-  result_dx = test2 ? difference3 / product13 : 0.0;
-  result_dy = test2 ? difference4 / product13 : 0.0;
-  return ratio;
+  float root = 1.0 + dot(slope2, slope2);
+  vec2 sum3 = slope2 + slope2;
+  vec2 part = (1.0 + slope2 * slope2) / root;
+  vec2 part_dx = (slope_dx * sum3 - part * root_dx) / root;
+  vec2 part_dy = (slope_dy * sum3 - part * root_dy) / root;
+  float sum4 = part_dx.y * bend.x + part.y * bend_dx.x + (part_dx.x * bend.y + part.x * bend_dx.y);
+  float sum5 = part_dy.y * bend.x + part.y * bend_dy.x + (part_dy.x * bend.y + part.x * bend_dy.y);
+  float ratio = slope2.x * slope2.y / root;
+  float product11 = 2.0 * ratio;
+  float product12 = (slope_dx.x * slope2.y + slope2.x * slope_dx.y - ratio * root_dx) / root * 2.0;
+  float product13 = (slope_dy.x * slope2.y + slope2.x * slope_dy.y - ratio * root_dy) / root * 2.0;
+  float sum = part.y * bend.x + part.x * bend.y - product11 * shear;
+  float sum_dx = sum4 - (product12 * shear + product11 * shear_dx);
+  float sum_dy = sum5 - (product13 * shear + product11 * shear_dy);
+  float product14 = -0.015 * sum;
+  float inverse_root = inversesqrt(root);
+  float ratio2 = inverse_root / root;
+  result_dx = sum_dx * -0.015 * inverse_root + product14 * (-0.5 * root_dx * ratio2);
+  result_dy = sum_dy * -0.015 * inverse_root + product14 * (-0.5 * root_dy * ratio2);
+  return product14 * inverse_root;
 }
 
 // hash (random/hash.glsl)
