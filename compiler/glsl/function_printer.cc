@@ -183,6 +183,7 @@ size_t FunctionPrinter::PrintStatement(size_t position) {
       PrintAssignments(position);
       break;
     case Kind::kIf:
+      if (schedule_.StyleOf(statement.value) == IfStyle::kLoopCondition) break;
       out_.Line(IfLine(statement.value));
       OpenScope();
       break;
@@ -190,6 +191,7 @@ size_t FunctionPrinter::PrintStatement(size_t position) {
       return PrintElse(position);
     case Kind::kIfEnd:
       if (merged_[function_[statement.value].aux]) break;
+      if (schedule_.StyleOf(statement.value) == IfStyle::kLoopCondition) break;
       CloseScope();
       out_.Line("}");
       break;
@@ -368,11 +370,16 @@ void FunctionPrinter::PrintLoop(const Statement& statement) {
   std::string_view claimed = ClaimIndex(plan_.variables[index]);
   expressions_.SetName(index, claimed);
   const std::string name(claimed);
+  std::string also;
+  if (ValueId branch = schedule_.ConditionOf(loop.body)) {
+    also = " && ";
+    expressions_.Append(function_.Operands(branch)[0], Precedence::kAnd, also);
+  }
   const int64_t after = int64_t(loop.first) + int64_t(loop.Trips()) * loop.step;
   if (after > INT32_MAX || after < INT32_MIN) {
     // The index would wrap before it reaches the end, so the rounds are counted.
     std::string round(Claim("turn", false));
-    out_.Line("for (int " + round + " = 0; " + round + " < " + std::to_string(loop.Trips()) +
+    out_.Line("for (int " + round + " = 0; " + round + " < " + std::to_string(loop.Trips()) + also +
               "; ++" + round + ") {");
     out_.Indent();
     out_.Line("int " + name + " = " + std::to_string(loop.first) + " + " + round + " * " +
@@ -385,7 +392,8 @@ void FunctionPrinter::PrintLoop(const Statement& statement) {
                      : loop.step > 0   ? name + " += " + std::to_string(loop.step)
                                        : name + " -= " + std::to_string(-int64_t(loop.step));
   out_.Line("for (int " + name + " = " + std::to_string(loop.first) + "; " + name +
-            (loop.step > 0 ? " < " : " > ") + std::to_string(loop.last) + "; " + step + ") {");
+            (loop.step > 0 ? " < " : " > ") + std::to_string(loop.last) + also + "; " + step +
+            ") {");
   out_.Indent();
 }
 

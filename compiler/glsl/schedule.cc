@@ -10,6 +10,7 @@ Schedule::Schedule(const ir::Function& function, const Uses& uses, const Forms& 
       uses_(uses),
       forms_(forms),
       styles_(function.branches.size(), IfStyle::kBoth),
+      conditions_(function.regions.size()),
       if_ends_(function.branches.size()),
       loop_ends_(function.regions.size()),
       starts_(function.regions.size()) {
@@ -56,6 +57,47 @@ bool Schedule::ContinuesElse(ValueId v, RegionId region) const {
   return true;
 }
 
+// Whether an expression has the same value as long as the carried values of the loop stay the same.
+bool Schedule::ReadsOnlyCarried(ValueId v, RegionId body) const {
+  std::vector<ValueId> open{v};
+  while (!open.empty()) {
+    ValueId value = open.back();
+    open.pop_back();
+    if (uses_.RegionOf(value) != body) continue;
+    if (function_[value].op == Op::kParam) {
+      if (value == function_.regions[body.index].params[0]) return false;
+    } else if (forms_.Of(value) != Form::kInline) {
+      return false;
+    } else {
+      ForEachOperand(function_, value, [&](ValueId operand) { open.push_back(operand); });
+    }
+  }
+  return true;
+}
+
+bool Schedule::EndsLoop(ValueId v, RegionId region) const {
+  ValueId loop = frames_.back().owner;
+  if (!loop || function_[loop].op != Op::kFor || !forms_.HasOneStatement(region)) return false;
+  const ir::Region& body = function_.regions[region.index];
+  const ir::Branch& branch = function_.branches[function_[v].aux];
+  const ir::Region& side = function_.regions[branch.else_region.index];
+  for (uint32_t r = 0; r < uses_.ResultCount(loop); ++r) {
+    if (!uses_.SlotLive(uses_.FirstSlot(loop) + r)) continue;
+    ValueId carried = body.params[r + 1];
+    ValueId next = body.results[r];
+    if (next == carried) continue;
+    uint32_t of_if = 0;
+    if (next != v) {
+      const Inst& inst = function_[next];
+      if (inst.op != Op::kExtract || !uses_.IsTuple(v) || function_.Operands(inst)[0] != v)
+        return false;
+      of_if = inst.aux;
+    }
+    if (side.results[of_if] != carried) return false;
+  }
+  return ReadsOnlyCarried(function_.Operands(v)[0], region);
+}
+
 void Schedule::Enter(ValueId v, RegionId region) {
   const Inst& inst = function_[v];
   if (inst.op == Op::kCall) return Add(Kind::kCall, v, region);
@@ -73,12 +115,15 @@ void Schedule::Enter(ValueId v, RegionId region) {
   IfStyle& style = styles_[inst.aux];
   if (ContinuesElse(v, region)) {
     style = IfStyle::kBoth;
+  } else if (IsIdle(v, branch.else_region) && EndsLoop(v, region)) {
+    style = IfStyle::kLoopCondition;
+    conditions_[region.index] = v;
   } else if (IsIdle(v, branch.else_region)) {
     style = IfStyle::kThenOnly;
   } else if (IsIdle(v, branch.then_region)) {
     style = IfStyle::kElseOnly;
   }
-  if (style != IfStyle::kBoth) Add(Kind::kIfInit, v, region);
+  if (StartsIdle(v)) Add(Kind::kIfInit, v, region);
   Add(Kind::kIf, v, region);
   bool starts_with_else = style == IfStyle::kElseOnly;
   frames_.push_back({starts_with_else ? branch.else_region : branch.then_region, 0, v});

@@ -35,6 +35,9 @@ enum class IfStyle : uint8_t {
   kBoth,      // both sides have work
   kThenOnly,  // the second side's values are given first
   kElseOnly,  // the first side's values are given first, and the condition is negated
+  // All that a loop does, without which its values stay as they are: when the condition is false
+  // once, it is false for ever. So it is written as a condition of the loop, and the loop ends.
+  kLoopCondition,
 };
 
 class Schedule {
@@ -45,6 +48,12 @@ class Schedule {
   const Statement& operator[](size_t position) const { return statements_[position]; }
   size_t size() const { return statements_.size(); }
   IfStyle StyleOf(ValueId branch) const { return styles_[function_[branch].aux]; }
+  // Whether an if gives its results the values of its idle side first.
+  bool StartsIdle(ValueId branch) const {
+    return StyleOf(branch) == IfStyle::kThenOnly || StyleOf(branch) == IfStyle::kElseOnly;
+  }
+  // The if whose condition is a condition of the loop with this body; none as a rule.
+  ValueId ConditionOf(RegionId body) const { return conditions_[body.index]; }
   // The position of a loop's kLoopEnd, by its body region.
   uint32_t LoopEnd(RegionId body) const { return loop_ends_[body.index]; }
   // The position of an if's kIfEnd.
@@ -60,6 +69,8 @@ class Schedule {
   }
   bool IsIdle(ValueId branch, RegionId side) const;
   bool ContinuesElse(ValueId v, RegionId region) const;
+  bool EndsLoop(ValueId v, RegionId region) const;
+  bool ReadsOnlyCarried(ValueId v, RegionId body) const;
   void Enter(ValueId v, RegionId region);
   void LeaveSide(ValueId v, RegionId region);
 
@@ -74,6 +85,7 @@ class Schedule {
   const Forms& forms_;
   std::vector<Statement> statements_;
   std::vector<IfStyle> styles_;      // by BranchId
+  std::vector<ValueId> conditions_;  // by RegionId
   std::vector<uint32_t> if_ends_;    // by BranchId
   std::vector<uint32_t> loop_ends_;  // by RegionId
   std::vector<uint32_t> starts_;     // by RegionId

@@ -93,7 +93,7 @@ void Variables::Create() {
         CreateResults(v, statement, position);
         break;
       case Kind::kIf:
-        if (schedule_.StyleOf(v) == IfStyle::kBoth) CreateResults(v, statement, position);
+        if (!schedule_.StartsIdle(v)) CreateResults(v, statement, position);
         break;
       default:
         break;

@@ -5,6 +5,8 @@ const int MEET_NEAREST = 2;
 const int MEET_ROWS = 3;
 const int MEET_SUM = 4;
 const int MEET_MAX = 5;
+// So many copies are composited at a point at most.
+const int MOST_LAYERS = 100;
 
 // One copy, as seen from a point; lengths in cells.
 struct Copy {
@@ -112,10 +114,11 @@ Tile frame_of(Copy copy, vec2 size, vec2 rotation, vec2 scale) {
 /// each with `copies` of the image. No copy is clipped: the compiler finds out how far copies can
 /// reach, and looks at the cells that can and no more; see `cells`. Lengths and angles are those of
 /// the cells, which are square if `scale` has the proportions of the surface. The copies at a point
-/// are composited from the topmost down, until nothing shows through; so edges are smooth where
-/// copies overlap, and mostly one image is looked up. Copies with the same key, or equally near, lie
-/// on each other in the order of their cells: the later row, in a row the later column, is on top.
-/// Of copies with the same random rank, one pair in 2^32, the earlier is left out.
+/// are composited from the topmost down, until nothing shows through, at most 100; so edges are
+/// smooth where copies overlap, and mostly one image is looked up. Copies with the same key, or
+/// equally near, lie on each other in the order of their cells: the later row, in a row the later
+/// column, is on top. Of copies with the same random rank, one pair in 2^32, the earlier is left
+/// out.
 /// @source Glanville, Texture Bombing, GPU Gems, chapter 20; in place of its table of random
 ///   numbers an integer hash, and in place of 4 cells as many as the copies can reach
 /// @param image what is scattered, from (0, 0) at the lower left corner of a copy to (1, 1);
@@ -264,7 +267,10 @@ View by_rank(vec2 p, vec2 corner, vec2 scale, const int copies, vec2 jitter, vec
   float through = 1.0;
   uint last = 4294967295u;
   int last_number = 2147483647;
-  for (int layer = 0; layer < cells.x * cells.y * copies; ++layer) {
+  // It ends when no copy is left. Drivers unroll loops of a few rounds, and then some of them run
+  // all rounds everywhere; so the number of copies is not told unless it is one.
+  const int layers = cells.x * cells.y * copies > 1 ? MOST_LAYERS : 1;
+  for (int layer = 0; layer < layers; ++layer) {
     if (open > 0.001) {
       open = 0.0;
       Copy copy;
@@ -296,24 +302,21 @@ View in_order(vec2 p, vec2 corner, vec2 scale, const int copies, vec2 jitter, ve
   float most = 0.0;
   Copy top;
   top.from = p;
-  for (int y = cells.y - 1; y >= 0; --y) {
-    for (int x = cells.x - 1; x >= 0; --x) {
-      for (int index = copies - 1; index >= 0; --index) {
-        if (near > 0.0 && (meet != MEET_ROWS || through > 0.001)) {
-          Copy copy = copy_at(p, corner + vec2(ivec2(x, y)), index, period, seed, jitter, wander,
-                              phase, loop);
-          vec2 away = distance_of(copy, size, rotation, shape);
-          if (away.x < away.y && is_there(copy, p, scale)) {
-            vec4 seen = paint(copy, size, rotation, scale, shape, edges);
-            float part = meet == MEET_ROWS ? seen.a * through : seen.a;
-            vec3 own = seen.rgb * part;
-            light = meet == MEET_MAX ? max(light, own) : light + own;
-            through = meet == MEET_MAX ? min(through, 1.0 - part) : through - part;
-            if (part > most) {
-              most = part;
-              top = copy;
-            }
-          }
+  for (int i = cells.x * cells.y * copies - 1; i >= 0; --i) {
+    if (near > 0.0 && (meet != MEET_ROWS || through > 0.001)) {
+      int place = i / copies;
+      vec2 node = corner + vec2(ivec2(place % cells.x, place / cells.x));
+      Copy copy = copy_at(p, node, i % copies, period, seed, jitter, wander, phase, loop);
+      vec2 away = distance_of(copy, size, rotation, shape);
+      if (away.x < away.y && is_there(copy, p, scale)) {
+        vec4 seen = paint(copy, size, rotation, scale, shape, edges);
+        float part = meet == MEET_ROWS ? seen.a * through : seen.a;
+        vec3 own = seen.rgb * part;
+        light = meet == MEET_MAX ? max(light, own) : light + own;
+        through = meet == MEET_MAX ? min(through, 1.0 - part) : through - part;
+        if (part > most) {
+          most = part;
+          top = copy;
         }
       }
     }

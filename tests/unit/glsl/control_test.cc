@@ -379,5 +379,64 @@ main main
   EXPECT_TRUE(IsValid(module));
 }
 
+// What an if does is all that the loop does, and its condition depends on carried values alone: once
+// false, always false. So the loop ends there.
+std::string LoopOfAnIf(const std::string& condition, const std::string& otherwise) {
+  return R"(input uv: vec2
+function main() -> (x: float, y: float) {
+  %u = extract.0 @uv : float
+  %v = extract.1 @uv : float
+  %1 = for %i = 0 to 5 step 1 (%open = %u, %sum = 0.0) : (float, float) {
+    %f = convert %i : float
+    %2 = less 0.5, )" +
+         condition + R"( : bool
+    %3 = if %2 : (float, float) {
+      %4 = sin %open : float
+      %5 = mul %4, %v : float
+      %6 = add %sum, %5 : float
+      %7 = sub %open, %5 : float
+      yield %7, %6
+    } else {
+      yield )" +
+         otherwise + R"(
+    }
+    %8 = extract.0 %3 : float
+    %9 = extract.1 %3 : float
+    yield %8, %9
+  }
+  %10 = extract.0 %1 : float
+  %11 = extract.1 %1 : float
+  return %10, %11
+}
+main main
+)";
+}
+
+TEST(Control, AnIfThatIsAllOfALoopEndsIt) {
+  const std::string module = LoopOfAnIf("%open", "%open, %sum");
+  EXPECT_EQ(MainBody(module), R"(  float open = uv.x;
+  float sum = 0.0;
+  for (int i = 0; i < 5 && 0.5 < open; ++i) {
+    float product = sin(open) * uv.y;
+    sum += product;
+    open -= product;
+  }
+  out_x = open;
+  out_y = sum;
+)");
+  EXPECT_TRUE(IsValid(module));
+}
+
+TEST(Control, AnIfThatMayBeTrueLaterDoesNotEndItsLoop) {
+  // The next round may come to another answer.
+  for (const std::string& module :
+       {LoopOfAnIf("%f", "%open, %sum"), LoopOfAnIf("%open", "%sum, %sum")}) {
+    std::string body = MainBody(module);
+    EXPECT_NE(body.find("for (int i = 0; i < 5; ++i) {"), std::string::npos) << body;
+    EXPECT_NE(body.find("if ("), std::string::npos) << body;
+    EXPECT_TRUE(IsValid(module));
+  }
+}
+
 }  // namespace
 }  // namespace texgraph::glsl
