@@ -7,6 +7,7 @@
 
 #include "compiler/base/text.h"
 #include "compiler/glsl/legalize.h"
+#include "compiler/ir/loop_end.h"
 #include "compiler/ir/rebuild.h"
 
 namespace texgraph::glsl {
@@ -118,7 +119,7 @@ Load LimitChecker::MeasureFunction(const ir::Function& function, const ir::Liven
       load.rounds = Saturated(load.rounds + times * loads_[inst.aux].rounds);
     } else if (inst.op == Op::kFor) {
       const ir::ForLoop& loop = function.loops[inst.aux];
-      uint64_t rounds = Saturated(times * loop.Trips());
+      uint64_t rounds = Saturated(times * ir::TypicalRounds(function, loop));
       load.rounds = Saturated(load.rounds + rounds);
       stack.push_back({loop.body, 0, rounds, depth});
     } else if (inst.op == Op::kIf) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compiler/glsl/schedule.h"
 
+#include "compiler/ir/loop_end.h"
+
 namespace texgraph::glsl {
 
 using Kind = Statement::Kind;
@@ -57,45 +59,11 @@ bool Schedule::ContinuesElse(ValueId v, RegionId region) const {
   return true;
 }
 
-// Whether an expression has the same value as long as the carried values of the loop stay the same.
-bool Schedule::ReadsOnlyCarried(ValueId v, RegionId body) const {
-  std::vector<ValueId> open{v};
-  while (!open.empty()) {
-    ValueId value = open.back();
-    open.pop_back();
-    if (uses_.RegionOf(value) != body) continue;
-    if (function_[value].op == Op::kParam) {
-      if (value == function_.regions[body.index].params[0]) return false;
-    } else if (forms_.Of(value) != Form::kInline) {
-      return false;
-    } else {
-      ForEachOperand(function_, value, [&](ValueId operand) { open.push_back(operand); });
-    }
-  }
-  return true;
-}
-
+// Whether an if is the condition of its loop, and can be written as such.
 bool Schedule::EndsLoop(ValueId v, RegionId region) const {
   ValueId loop = frames_.back().owner;
   if (!loop || function_[loop].op != Op::kFor || !forms_.HasOneStatement(region)) return false;
-  const ir::Region& body = function_.regions[region.index];
-  const ir::Branch& branch = function_.branches[function_[v].aux];
-  const ir::Region& side = function_.regions[branch.else_region.index];
-  for (uint32_t r = 0; r < uses_.ResultCount(loop); ++r) {
-    if (!uses_.SlotLive(uses_.FirstSlot(loop) + r)) continue;
-    ValueId carried = body.params[r + 1];
-    ValueId next = body.results[r];
-    if (next == carried) continue;
-    uint32_t of_if = 0;
-    if (next != v) {
-      const Inst& inst = function_[next];
-      if (inst.op != Op::kExtract || !uses_.IsTuple(v) || function_.Operands(inst)[0] != v)
-        return false;
-      of_if = inst.aux;
-    }
-    if (side.results[of_if] != carried) return false;
-  }
-  return ReadsOnlyCarried(function_.Operands(v)[0], region);
+  return ir::LoopEnd(function_, function_.loops[function_[loop].aux]) == v;
 }
 
 void Schedule::Enter(ValueId v, RegionId region) {

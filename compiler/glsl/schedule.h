@@ -70,7 +70,6 @@ class Schedule {
   bool IsIdle(ValueId branch, RegionId side) const;
   bool ContinuesElse(ValueId v, RegionId region) const;
   bool EndsLoop(ValueId v, RegionId region) const;
-  bool ReadsOnlyCarried(ValueId v, RegionId body) const;
   void Enter(ValueId v, RegionId region);
   void LeaveSide(ValueId v, RegionId region);
 

@@ -13,6 +13,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "compiler/ir/loop_end.h"
 #include "compiler/ir/rebuild.h"
 #include "compiler/passes/narrow_structs.h"
 #include "compiler/passes/passes.h"
@@ -533,7 +534,7 @@ uint64_t RegionCost(const ir::Function& function, ir::RegionId region,
       one = SaturatingAdd(one, RegionCost(function, branch.else_region, callees));
     } else if (inst.op == Op::kFor) {
       const ir::ForLoop& loop = function.loops[inst.aux];
-      one = SaturatingAdd(one, SaturatingMultiply(std::max(loop.Trips(), 1u),
+      one = SaturatingAdd(one, SaturatingMultiply(std::max(ir::TypicalRounds(function, loop), 1u),
                                                   RegionCost(function, loop.body, callees)));
     }
     cost = SaturatingAdd(cost, one);

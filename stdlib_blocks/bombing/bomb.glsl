@@ -269,7 +269,8 @@ View by_rank(vec2 p, vec2 corner, vec2 scale, const int copies, vec2 jitter, vec
   int last_number = 2147483647;
   // It ends when no copy is left. Drivers unroll loops of a few rounds, and then some of them run
   // all rounds everywhere; so the number of copies is not told unless it is one.
-  const int layers = cells.x * cells.y * copies > 1 ? MOST_LAYERS : 1;
+  const int in_reach = cells.x * cells.y * copies;
+  const int layers = in_reach > 1 ? min(MOST_LAYERS, 65535 / in_reach) : 1;
   for (int layer = 0; layer < layers; ++layer) {
     if (open > 0.001) {
       open = 0.0;

@@ -115,5 +115,58 @@ TEST(Weight, CountsWhatComputes) {
   EXPECT_GT(weight->instructions, weight->computing);
 }
 
+// The size of the SPIR-V before spirv-opt, which puts every function where it is called.
+size_t InstructionsOf(const std::string& graph) {
+  Sources sources;
+  Diagnostics diagnostics;
+  CompileOptions options;
+  options.target = Target::kSpirv;
+  auto compiled = Compile(sources.Add("g.json", graph), graph::DocumentFormat::kJson, options,
+                          sources, diagnostics);
+  EXPECT_TRUE(compiled) << FormatDiagnostics(diagnostics, sources, false);
+  return compiled ? compiled->spirv.size() : 0;
+}
+
+// Copies of noise, whose image is a bombing of its own, and so on.
+std::string BombingInsideBombing(int depth) {
+  std::string functions = R"("copy0": {"inputs": {"uv": "vec2"}, "nodes": {
+    "spots": {"block": "value_noise", "in": {"uv": "uv"}},
+    "image": {"block": "rgba", "in": {"color": [1, 0.5, 0], "alpha": "spots"}}},
+    "outputs": {"color": "image"}})";
+  for (int i = 1; i <= depth; ++i) {
+    const std::string n = std::to_string(i);
+    functions += ", \"copy" + n + R"(": {"inputs": {"uv": "vec2"}, "nodes": {"copies": {
+      "block": "bomb", "in": {"image": "copy)" +
+                 std::to_string(i - 1) + R"(", "uv": "uv", "scale": [2, 2], "seed": )" + n +
+                 R"(}}}, "outputs": {"color": "copies.color"}})";
+  }
+  return R"({"texgraph": 1, "functions": {)" + functions + R"(}, "nodes": {"all": {
+    "block": "bomb", "in": {"image": "copy)" +
+         std::to_string(depth) + R"("}}}, "outputs": {"color": "all.color"}})";
+}
+
+// Bombings over one another.
+std::string LayersOfBombing(int count) {
+  std::string nodes, below = "[0, 0, 0, 1]";
+  for (int i = 1; i <= count; ++i) {
+    const std::string n = std::to_string(i);
+    nodes += (i > 1 ? ", \"layer" : "\"layer") + n +
+             R"(": {"block": "bomb", "in": {"image": [1, )" + n + R"(, 0, 0.5], "scale": [)" + n +
+             ", 3], \"seed\": " + n + ", \"background\": " + below + "}}";
+    below = "\"layer" + n + ".color\"";
+  }
+  return R"({"texgraph": 1, "nodes": {)" + nodes + R"(}, "outputs": {"color": )" + below + "}}";
+}
+
+// Each further one costs what the one before did, but for the lengths of numbers.
+TEST(Weight, NestingAndLayersOfBombingGrowLinearly) {
+  for (auto graph : {BombingInsideBombing, LayersOfBombing}) {
+    const double few = InstructionsOf(graph(6)) - InstructionsOf(graph(3));
+    const double many = InstructionsOf(graph(9)) - InstructionsOf(graph(6));
+    EXPECT_GT(few, 0);
+    EXPECT_NEAR(many, few, 0.02 * few);
+  }
+}
+
 }  // namespace
 }  // namespace texgraph::bench

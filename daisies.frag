@@ -1,0 +1,94 @@
+// daisies: a fragment shader, compiled by texgraphc 0.1.0.
+#version 330
+
+// Inputs
+in vec2 uv;
+
+// Textures
+uniform sampler2D daisy;
+
+// Outputs
+layout(location = 0) out vec4 out_color;
+
+// Types
+struct Copy {
+  vec2 from;
+};
+struct View {
+  vec3 light;
+  float through;
+};
+
+// copy_bits (bombing/copy_bits.glsl)
+uvec4 copy_bits(ivec2 cell) {
+  uvec2 c = uvec2(cell);
+  uvec2 v = c.x * uvec2(1664525u, 389569705u) + c.y * uvec2(389569705u, 2942464162u)
+      + uvec2(129708002u, 817759070u);
+  v ^= v >> 16u;
+  return v.x * uvec4(3266489917u, 668265263u, 374761393u, 1664525u)
+      + v.y * uvec4(2246822519u, 3432918353u, 461845907u, 389569706u);
+}
+
+// find_next, of bomb (bombing/bomb.glsl)
+void find_next(vec2 p, vec2 corner, uint last, out uint last_out, out Copy found) {
+  Copy found2 = Copy(p);
+  uint best = 0u;
+  for (int i = 0; i < 4; ++i) {
+    vec2 node = corner + vec2(ivec2(i % 2, i / 2));
+    uvec4 copy_bits_value = copy_bits(ivec2(node));
+    vec2 difference = p - node - vec2(ivec2(copy_bits_value.xy)) * 2.3283064e-10;
+    Copy copy = Copy(difference);
+    uvec2 away = floatBitsToUint(vec2(dot(difference, difference), 0.25));
+    bool is_next = all(lessThan(uvec3(best, copy_bits_value.z, away.x),
+        uvec3(copy_bits_value.z, last, away.y)));
+    found2 = is_next ? copy : found2;
+    best = is_next ? copy_bits_value.z : best;
+  }
+  last_out = best;
+  found = found2;
+}
+
+// paint, of bomb (bombing/bomb.glsl)
+vec4 paint(Copy copy, vec2 copy_from_dx, vec2 copy_from_dy) {
+  vec4 seen = textureGrad(daisy, copy.from + 0.5, copy_from_dx, copy_from_dy);
+  return seen;
+}
+
+// by_rank, of bomb (bombing/bomb.glsl)
+View by_rank(vec2 p, vec2 corner, vec2 p_dx, vec2 p_dy) {
+  vec4 sum = vec4(0.0);
+  float through = 1.0;
+  uint last = 4294967295u;
+  for (int layer = 0; layer < 4 && last > 0u && through > 0.001; ++layer) {
+    uint last2;
+    Copy copy;
+    find_next(p, corner, last, last2, copy);
+    if (last2 > 0u) {
+      vec4 seen = paint(copy, p_dx, p_dy);
+      float part = seen.w * through;
+      sum += vec4(seen.xyz, 1.0) * part;
+      through = 1.0 - sum.w;
+    }
+    last = last2;
+  }
+  return View(sum.xyz, through);
+}
+
+// bomb (bombing/bomb.glsl)
+vec4 bomb(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
+  vec2 p = uv * 8.0 - 0.5;
+  vec2 corner = floor(p);
+  vec2 p_dx = uv_dx * 8.0;
+  vec2 p_dy = uv_dy * 8.0;
+  View view = by_rank(p, corner, p_dx, p_dy);
+  vec3 below = vec3(0.07, 0.2, 0.03) * view.through;
+  vec4 color = vec4(view.light + below, 1.0);
+  return color;
+}
+
+void main() {
+  vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
+  // meadow: bomb (bombing/bomb.glsl)
+  vec4 meadow_color = bomb(uv, uv_dx, uv_dy);
+  out_color = meadow_color;
+}
