@@ -140,9 +140,9 @@ std::string BombingInsideBombing(int depth) {
                  std::to_string(i - 1) + R"(", "uv": "uv", "scale": [2, 2], "seed": )" + n +
                  R"(}}}, "outputs": {"color": "copies.color"}})";
   }
-  return R"({"texgraph": 1, "functions": {)" + functions + R"(}, "nodes": {"all": {
+  return R"({"texgraph": 1, "functions": {)" + functions + R"(}, "nodes": {"field": {
     "block": "bomb", "in": {"image": "copy)" +
-         std::to_string(depth) + R"("}}}, "outputs": {"color": "all.color"}})";
+         std::to_string(depth) + R"("}}}, "outputs": {"color": "field.color"}})";
 }
 
 // Bombings over one another.

@@ -70,19 +70,17 @@ View by_rank(vec2 p, vec2 corner, vec2 p_dx, vec2 p_dy) {
   float open = 1.0;
   float through = 1.0;
   uint last = 4294967295u;
-  for (int layer = 0; layer < 4; ++layer) {
-    uint last2 = last;
-    if (open > 0.001) {
-      Copy copy;
-      find_next(p, corner, last, last2, copy);
-      open = 0.0;
-      if (last2 > 0u) {
-        vec4 seen = paint(copy, p_dx, p_dy);
-        float part = seen.w * through;
-        sum += vec4(seen.xyz, 1.0) * part;
-        open = 1.0 - sum.w;
-        through = open;
-      }
+  for (int layer = 0; layer < 100 && open > 0.001; ++layer) {
+    uint last2;
+    Copy copy;
+    find_next(p, corner, last, last2, copy);
+    open = 0.0;
+    if (last2 > 0u) {
+      vec4 seen = paint(copy, p_dx, p_dy);
+      float part = seen.w * through;
+      sum += vec4(seen.xyz, 1.0) * part;
+      open = 1.0 - sum.w;
+      through = open;
     }
     last = last2;
   }

@@ -122,12 +122,10 @@ vec4 confetti_layer_sheet_1(vec2 uv, vec2 uv_dx, vec2 uv_dy, vec2 tile_local_dx,
   float on = clamp(2.0 - 2.0 * max(tiles.x, tiles.y), 0.0, 1.0);
   vec4 color = vec4(0.0);
   for (int y = 1; y > -2; --y) {
-    for (int x = 1; x > -2; --x) {
-      if (color.w < 0.999) {
-        vec4 other = confetti_draw_sheet_1(uv, ivec2(x, y), uv_dx, uv_dy);
-        float below = other.w * (1.0 - color.w * on);
-        color += vec4(other.xyz * below, below);
-      }
+    for (int x = 1; x > -2 && color.w < 0.999; --x) {
+      vec4 other = confetti_draw_sheet_1(uv, ivec2(x, y), uv_dx, uv_dy);
+      float below = other.w * (1.0 - color.w * on);
+      color += vec4(other.xyz * below, below);
     }
   }
   color = vec4(color.xyz / max(color.w, 1e-20), min(color.w, 1.0));
@@ -205,12 +203,10 @@ vec4 confetti_layer_sheet_2(vec2 uv, vec2 uv_dx, vec2 uv_dy, vec2 tile_local_dx,
   float on = clamp(2.0 - 2.0 * max(tiles.x, tiles.y), 0.0, 1.0);
   vec4 color = vec4(0.0);
   for (int y = 1; y > -2; --y) {
-    for (int x = 1; x > -2; --x) {
-      if (color.w < 0.999) {
-        vec4 other = confetti_draw_sheet_2(uv, ivec2(x, y), uv_dx, uv_dy);
-        float below = other.w * (1.0 - color.w * on);
-        color += vec4(other.xyz * below, below);
-      }
+    for (int x = 1; x > -2 && color.w < 0.999; --x) {
+      vec4 other = confetti_draw_sheet_2(uv, ivec2(x, y), uv_dx, uv_dy);
+      float below = other.w * (1.0 - color.w * on);
+      color += vec4(other.xyz * below, below);
     }
   }
   color = vec4(color.xyz / max(color.w, 1e-20), min(color.w, 1.0));
@@ -273,12 +269,10 @@ vec4 confetti_layer_sheet_3(vec2 uv, vec2 uv_dx, vec2 uv_dy, vec2 tile_local_dx,
   float on = clamp(2.0 - 2.0 * max(tiles.x, tiles.y), 0.0, 1.0);
   vec4 color = vec4(0.0);
   for (int y = 1; y > -2; --y) {
-    for (int x = 1; x > -2; --x) {
-      if (color.w < 0.999) {
-        vec4 other = confetti_draw_sheet_3(uv, ivec2(x, y), uv_dx, uv_dy);
-        float below = other.w * (1.0 - color.w * on);
-        color += vec4(other.xyz * below, below);
-      }
+    for (int x = 1; x > -2 && color.w < 0.999; --x) {
+      vec4 other = confetti_draw_sheet_3(uv, ivec2(x, y), uv_dx, uv_dy);
+      float below = other.w * (1.0 - color.w * on);
+      color += vec4(other.xyz * below, below);
     }
   }
   color = vec4(color.xyz / max(color.w, 1e-20), min(color.w, 1.0));

@@ -266,12 +266,10 @@ vec4 layer_stones(vec2 uv, vec2 uv_dx, vec2 uv_dy, vec2 tile_local_dx, vec2 tile
   float on = clamp(2.0 - 2.0 * max(tiles.x, tiles.y), 0.0, 1.0);
   vec4 color = vec4(0.0);
   for (int y = 1; y > -2; --y) {
-    for (int x = 1; x > -2; --x) {
-      if (color.w < 0.999) {
-        vec4 other = draw_stones(uv, ivec2(x, y), uv_dx, uv_dy);
-        float below = other.w * (1.0 - color.w * on);
-        color += vec4(other.xyz * below, below);
-      }
+    for (int x = 1; x > -2 && color.w < 0.999; --x) {
+      vec4 other = draw_stones(uv, ivec2(x, y), uv_dx, uv_dy);
+      float below = other.w * (1.0 - color.w * on);
+      color += vec4(other.xyz * below, below);
     }
   }
   color = vec4(color.xyz / max(color.w, 1e-20), min(color.w, 1.0));
@@ -429,12 +427,10 @@ vec4 layer_tufts(vec2 uv, vec2 uv_dx, vec2 uv_dy, vec2 tile_local_dx, vec2 tile_
   float on = clamp(2.0 - 2.0 * max(tiles.x, tiles.y), 0.0, 1.0);
   vec4 color = vec4(0.0);
   for (int y = 1; y > -2; --y) {
-    for (int x = 1; x > -2; --x) {
-      if (color.w < 0.999) {
-        vec4 other = draw_tufts(uv, ivec2(x, y), uv_dx, uv_dy);
-        float below = other.w * (1.0 - color.w * on);
-        color += vec4(other.xyz * below, below);
-      }
+    for (int x = 1; x > -2 && color.w < 0.999; --x) {
+      vec4 other = draw_tufts(uv, ivec2(x, y), uv_dx, uv_dy);
+      float below = other.w * (1.0 - color.w * on);
+      color += vec4(other.xyz * below, below);
     }
   }
   color = vec4(color.xyz / max(color.w, 1e-20), min(color.w, 1.0));
@@ -499,12 +495,10 @@ vec4 layer_rocks(vec2 uv, vec2 uv_dx, vec2 uv_dy, vec2 tile_local_dx, vec2 tile_
   float on = clamp(2.0 - 2.0 * max(tiles.x, tiles.y), 0.0, 1.0);
   vec4 color = vec4(0.0);
   for (int y = 1; y > -2; --y) {
-    for (int x = 1; x > -2; --x) {
-      if (color.w < 0.999) {
-        vec4 other = draw_rocks(uv, ivec2(x, y), uv_dx, uv_dy);
-        float below = other.w * (1.0 - color.w * on);
-        color += vec4(other.xyz * below, below);
-      }
+    for (int x = 1; x > -2 && color.w < 0.999; --x) {
+      vec4 other = draw_rocks(uv, ivec2(x, y), uv_dx, uv_dy);
+      float below = other.w * (1.0 - color.w * on);
+      color += vec4(other.xyz * below, below);
     }
   }
   color = vec4(color.xyz / max(color.w, 1e-20), min(color.w, 1.0));

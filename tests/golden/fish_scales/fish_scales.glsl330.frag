@@ -96,21 +96,17 @@ View in_order(vec2 p, vec2 corner, vec2 p_dx, vec2 p_dy) {
   Copy top = Copy(0u, p);
   float through = 1.0;
   float most = 0.0;
-  for (int y = 1; y > -1; --y) {
-    for (int x = 1; x > -1; --x) {
-      if (through > 0.001) {
-        vec2 sum = corner + vec2(ivec2(x, y));
-        vec2 difference = p - sum;
-        Copy copy = Copy(copy_bits(ivec2(sum)).w, difference);
-        vec2 magnitude = abs(difference);
-        if (max(magnitude.x, magnitude.y) < 1.0) {
-          vec4 scale_shape_value = scale_shape(difference * 0.5 + 0.5, p_dx * 0.5, p_dy * 0.5);
-          float part = scale_shape_value.w * through;
-          through -= part;
-          top = most < part ? copy : top;
-          most = max(most, part);
-        }
-      }
+  for (int i = 3; i > -1 && through > 0.001; --i) {
+    vec2 node = corner + vec2(ivec2(i % 2, i / 2));
+    vec2 difference = p - node;
+    Copy copy = Copy(copy_bits(ivec2(node)).w, difference);
+    vec2 magnitude = abs(difference);
+    if (max(magnitude.x, magnitude.y) < 1.0) {
+      vec4 scale_shape_value = scale_shape(difference * 0.5 + 0.5, p_dx * 0.5, p_dy * 0.5);
+      float part = scale_shape_value.w * through;
+      through -= part;
+      top = most < part ? copy : top;
+      most = max(most, part);
     }
   }
   return View(top);

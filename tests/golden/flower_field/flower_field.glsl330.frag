@@ -396,19 +396,17 @@ View by_rank_grass(vec2 p, vec2 corner, vec2 p_dx, vec2 p_dy) {
   float open = 1.0;
   float through = 1.0;
   uint last = 4294967295u;
-  for (int layer = 0; layer < 45; ++layer) {
-    uint last2 = last;
-    if (open > 0.001) {
-      Copy copy;
-      find_next_grass(p, corner, last, last2, copy);
-      open = 0.0;
-      if (last2 > 0u) {
-        vec4 seen = paint_grass(copy, p_dx, p_dy);
-        float part = seen.w * through;
-        sum += vec4(seen.xyz, 1.0) * part;
-        open = 1.0 - sum.w;
-        through = open;
-      }
+  for (int layer = 0; layer < 100 && open > 0.001; ++layer) {
+    uint last2;
+    Copy copy;
+    find_next_grass(p, corner, last, last2, copy);
+    open = 0.0;
+    if (last2 > 0u) {
+      vec4 seen = paint_grass(copy, p_dx, p_dy);
+      float part = seen.w * through;
+      sum += vec4(seen.xyz, 1.0) * part;
+      open = 1.0 - sum.w;
+      through = open;
     }
     last = last2;
   }
@@ -516,19 +514,17 @@ View by_rank_low(vec2 p, vec2 corner, vec2 p_dx, vec2 p_dy) {
   float open = 1.0;
   float through = 1.0;
   uint last = 4294967295u;
-  for (int layer = 0; layer < 8; ++layer) {
-    uint last2 = last;
-    if (open > 0.001) {
-      Copy copy;
-      find_next_low(p, corner, last, last2, copy);
-      open = 0.0;
-      if (last2 > 0u) {
-        vec4 seen = paint_low(copy, p_dx, p_dy);
-        float part = seen.w * through;
-        sum += vec4(seen.xyz, 1.0) * part;
-        open = 1.0 - sum.w;
-        through = open;
-      }
+  for (int layer = 0; layer < 100 && open > 0.001; ++layer) {
+    uint last2;
+    Copy copy;
+    find_next_low(p, corner, last, last2, copy);
+    open = 0.0;
+    if (last2 > 0u) {
+      vec4 seen = paint_low(copy, p_dx, p_dy);
+      float part = seen.w * through;
+      sum += vec4(seen.xyz, 1.0) * part;
+      open = 1.0 - sum.w;
+      through = open;
     }
     last = last2;
   }
@@ -642,19 +638,17 @@ View by_rank_middle(vec2 p, vec2 corner, vec2 p_dx, vec2 p_dy) {
   float open = 1.0;
   float through = 1.0;
   uint last = 4294967295u;
-  for (int layer = 0; layer < 8; ++layer) {
-    uint last2 = last;
-    if (open > 0.001) {
-      Copy copy;
-      find_next_middle(p, corner, last, last2, copy);
-      open = 0.0;
-      if (last2 > 0u) {
-        vec4 seen = paint_middle(copy, p_dx, p_dy);
-        float part = seen.w * through;
-        sum += vec4(seen.xyz, 1.0) * part;
-        open = 1.0 - sum.w;
-        through = open;
-      }
+  for (int layer = 0; layer < 100 && open > 0.001; ++layer) {
+    uint last2;
+    Copy copy;
+    find_next_middle(p, corner, last, last2, copy);
+    open = 0.0;
+    if (last2 > 0u) {
+      vec4 seen = paint_middle(copy, p_dx, p_dy);
+      float part = seen.w * through;
+      sum += vec4(seen.xyz, 1.0) * part;
+      open = 1.0 - sum.w;
+      through = open;
     }
     last = last2;
   }
@@ -768,19 +762,17 @@ View by_rank_high(vec2 p, vec2 corner, vec2 p_dx, vec2 p_dy) {
   float open = 1.0;
   float through = 1.0;
   uint last = 4294967295u;
-  for (int layer = 0; layer < 18; ++layer) {
-    uint last2 = last;
-    if (open > 0.001) {
-      Copy copy;
-      find_next_high(p, corner, last, last2, copy);
-      open = 0.0;
-      if (last2 > 0u) {
-        vec4 seen = paint_high(copy, p_dx, p_dy);
-        float part = seen.w * through;
-        sum += vec4(seen.xyz, 1.0) * part;
-        open = 1.0 - sum.w;
-        through = open;
-      }
+  for (int layer = 0; layer < 100 && open > 0.001; ++layer) {
+    uint last2;
+    Copy copy;
+    find_next_high(p, corner, last, last2, copy);
+    open = 0.0;
+    if (last2 > 0u) {
+      vec4 seen = paint_high(copy, p_dx, p_dy);
+      float part = seen.w * through;
+      sum += vec4(seen.xyz, 1.0) * part;
+      open = 1.0 - sum.w;
+      through = open;
     }
     last = last2;
   }

@@ -396,19 +396,17 @@ flower_field_View flower_field_by_rank_grass(vec2 p, vec2 corner, vec2 p_dx, vec
   float open = 1.0;
   float through = 1.0;
   uint last = 4294967295u;
-  for (int layer = 0; layer < 45; ++layer) {
-    uint last2 = last;
-    if (open > 0.001) {
-      flower_field_Copy copy;
-      flower_field_find_next_grass(p, corner, last, last2, copy);
-      open = 0.0;
-      if (last2 > 0u) {
-        vec4 seen = flower_field_paint_grass(copy, p_dx, p_dy);
-        float part = seen.w * through;
-        sum += vec4(seen.xyz, 1.0) * part;
-        open = 1.0 - sum.w;
-        through = open;
-      }
+  for (int layer = 0; layer < 100 && open > 0.001; ++layer) {
+    uint last2;
+    flower_field_Copy copy;
+    flower_field_find_next_grass(p, corner, last, last2, copy);
+    open = 0.0;
+    if (last2 > 0u) {
+      vec4 seen = flower_field_paint_grass(copy, p_dx, p_dy);
+      float part = seen.w * through;
+      sum += vec4(seen.xyz, 1.0) * part;
+      open = 1.0 - sum.w;
+      through = open;
     }
     last = last2;
   }
@@ -520,19 +518,17 @@ flower_field_View flower_field_by_rank_low(vec2 p, vec2 corner, vec2 p_dx, vec2 
   float open = 1.0;
   float through = 1.0;
   uint last = 4294967295u;
-  for (int layer = 0; layer < 8; ++layer) {
-    uint last2 = last;
-    if (open > 0.001) {
-      flower_field_Copy copy;
-      flower_field_find_next_low(p, corner, last, last2, copy);
-      open = 0.0;
-      if (last2 > 0u) {
-        vec4 seen = flower_field_paint_low(copy, p_dx, p_dy);
-        float part = seen.w * through;
-        sum += vec4(seen.xyz, 1.0) * part;
-        open = 1.0 - sum.w;
-        through = open;
-      }
+  for (int layer = 0; layer < 100 && open > 0.001; ++layer) {
+    uint last2;
+    flower_field_Copy copy;
+    flower_field_find_next_low(p, corner, last, last2, copy);
+    open = 0.0;
+    if (last2 > 0u) {
+      vec4 seen = flower_field_paint_low(copy, p_dx, p_dy);
+      float part = seen.w * through;
+      sum += vec4(seen.xyz, 1.0) * part;
+      open = 1.0 - sum.w;
+      through = open;
     }
     last = last2;
   }
@@ -649,19 +645,17 @@ flower_field_View flower_field_by_rank_middle(vec2 p, vec2 corner, vec2 p_dx, ve
   float open = 1.0;
   float through = 1.0;
   uint last = 4294967295u;
-  for (int layer = 0; layer < 8; ++layer) {
-    uint last2 = last;
-    if (open > 0.001) {
-      flower_field_Copy copy;
-      flower_field_find_next_middle(p, corner, last, last2, copy);
-      open = 0.0;
-      if (last2 > 0u) {
-        vec4 seen = flower_field_paint_middle(copy, p_dx, p_dy);
-        float part = seen.w * through;
-        sum += vec4(seen.xyz, 1.0) * part;
-        open = 1.0 - sum.w;
-        through = open;
-      }
+  for (int layer = 0; layer < 100 && open > 0.001; ++layer) {
+    uint last2;
+    flower_field_Copy copy;
+    flower_field_find_next_middle(p, corner, last, last2, copy);
+    open = 0.0;
+    if (last2 > 0u) {
+      vec4 seen = flower_field_paint_middle(copy, p_dx, p_dy);
+      float part = seen.w * through;
+      sum += vec4(seen.xyz, 1.0) * part;
+      open = 1.0 - sum.w;
+      through = open;
     }
     last = last2;
   }
@@ -778,19 +772,17 @@ flower_field_View flower_field_by_rank_high(vec2 p, vec2 corner, vec2 p_dx, vec2
   float open = 1.0;
   float through = 1.0;
   uint last = 4294967295u;
-  for (int layer = 0; layer < 18; ++layer) {
-    uint last2 = last;
-    if (open > 0.001) {
-      flower_field_Copy copy;
-      flower_field_find_next_high(p, corner, last, last2, copy);
-      open = 0.0;
-      if (last2 > 0u) {
-        vec4 seen = flower_field_paint_high(copy, p_dx, p_dy);
-        float part = seen.w * through;
-        sum += vec4(seen.xyz, 1.0) * part;
-        open = 1.0 - sum.w;
-        through = open;
-      }
+  for (int layer = 0; layer < 100 && open > 0.001; ++layer) {
+    uint last2;
+    flower_field_Copy copy;
+    flower_field_find_next_high(p, corner, last, last2, copy);
+    open = 0.0;
+    if (last2 > 0u) {
+      vec4 seen = flower_field_paint_high(copy, p_dx, p_dy);
+      float part = seen.w * through;
+      sum += vec4(seen.xyz, 1.0) * part;
+      open = 1.0 - sum.w;
+      through = open;
     }
     last = last2;
   }

@@ -358,16 +358,14 @@ hallway_Material hallway_material_layer_holes(vec2 uv, vec2 uv_dx, vec2 uv_dy, v
   float on = clamp(2.0 - 2.0 * max(tiles.x, tiles.y), 0.0, 1.0);
   hallway_Material total = hallway_Material(vec4(0.0), vec3(0.0), 0.0, 0.0, 0.0);
   for (int y = 1; y > -2; --y) {
-    for (int x = 1; x > -2; --x) {
-      if (total.color.w < 0.999) {
-        hallway_Material other = hallway_draw_holes(uv, ivec2(x, y), uv_dx, uv_dy);
-        float product = other.color.w * (1.0 - total.color.w * on);
-        vec4 sum = total.color + vec4(other.color.xyz * product, product);
-        vec3 sum2 = total.normal + product * other.normal;
-        float sum3 = total.roughness + product * other.roughness;
-        float sum4 = total.metallic + product * other.metallic;
-        total = hallway_Material(sum, sum2, total.height + product * other.height, sum3, sum4);
-      }
+    for (int x = 1; x > -2 && total.color.w < 0.999; --x) {
+      hallway_Material other = hallway_draw_holes(uv, ivec2(x, y), uv_dx, uv_dy);
+      float product = other.color.w * (1.0 - total.color.w * on);
+      vec4 sum = total.color + vec4(other.color.xyz * product, product);
+      vec3 sum2 = total.normal + product * other.normal;
+      float sum3 = total.roughness + product * other.roughness;
+      float sum4 = total.metallic + product * other.metallic;
+      total = hallway_Material(sum, sum2, total.height + product * other.height, sum3, sum4);
     }
   }
   hallway_Material surface = hallway_mean(total);
@@ -505,16 +503,14 @@ hallway_Material hallway_material_layer_cracks(vec2 uv, vec2 uv_dx, vec2 uv_dy, 
   float on = clamp(2.0 - 2.0 * max(tiles.x, tiles.y), 0.0, 1.0);
   hallway_Material total = hallway_Material(vec4(0.0), vec3(0.0), 0.0, 0.0, 0.0);
   for (int y = 2; y > -3; --y) {
-    for (int x = 2; x > -3; --x) {
-      if (total.color.w < 0.999) {
-        hallway_Material other = hallway_draw_cracks(uv, ivec2(x, y), uv_dx, uv_dy);
-        float product = other.color.w * (1.0 - total.color.w * on);
-        vec4 sum = total.color + vec4(other.color.xyz * product, product);
-        vec3 sum2 = total.normal + product * other.normal;
-        float sum3 = total.roughness + product * other.roughness;
-        float sum4 = total.metallic + product * other.metallic;
-        total = hallway_Material(sum, sum2, total.height + product * other.height, sum3, sum4);
-      }
+    for (int x = 2; x > -3 && total.color.w < 0.999; --x) {
+      hallway_Material other = hallway_draw_cracks(uv, ivec2(x, y), uv_dx, uv_dy);
+      float product = other.color.w * (1.0 - total.color.w * on);
+      vec4 sum = total.color + vec4(other.color.xyz * product, product);
+      vec3 sum2 = total.normal + product * other.normal;
+      float sum3 = total.roughness + product * other.roughness;
+      float sum4 = total.metallic + product * other.metallic;
+      total = hallway_Material(sum, sum2, total.height + product * other.height, sum3, sum4);
     }
   }
   hallway_Material surface = hallway_mean(total);
@@ -705,12 +701,10 @@ vec4 hallway_layer(vec2 between, vec2 between_dx, vec2 between_dy, vec2 tile_loc
   float on = clamp(2.0 - 2.0 * max(tiles.x, tiles.y), 0.0, 1.0);
   vec4 color = vec4(0.0);
   for (int y = 1; y > -2; --y) {
-    for (int x = 1; x > -2; --x) {
-      if (color.w < 0.999) {
-        vec4 other = hallway_draw_runs(between, ivec2(x, y), between_dx, between_dy);
-        float below = other.w * (1.0 - color.w * on);
-        color += vec4(other.xyz * below, below);
-      }
+    for (int x = 1; x > -2 && color.w < 0.999; --x) {
+      vec4 other = hallway_draw_runs(between, ivec2(x, y), between_dx, between_dy);
+      float below = other.w * (1.0 - color.w * on);
+      color += vec4(other.xyz * below, below);
     }
   }
   color = vec4(color.xyz / max(color.w, 1e-20), min(color.w, 1.0));
@@ -803,16 +797,14 @@ hallway_Material hallway_material_layer_doors(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
   float on = clamp(2.0 - 2.0 * max(tiles.x, tiles.y), 0.0, 1.0);
   hallway_Material total = hallway_Material(vec4(0.0), vec3(0.0), 0.0, 0.0, 0.0);
   for (int y = 1; y > -2; --y) {
-    for (int x = 1; x > -2; --x) {
-      if (total.color.w < 0.999) {
-        hallway_Material other = hallway_draw_doors(uv, ivec2(x, y), uv_dx, uv_dy);
-        float product = other.color.w * (1.0 - total.color.w * on);
-        vec4 sum = total.color + vec4(other.color.xyz * product, product);
-        vec3 sum2 = total.normal + product * other.normal;
-        float sum3 = total.roughness + product * other.roughness;
-        float sum4 = total.metallic + product * other.metallic;
-        total = hallway_Material(sum, sum2, total.height + product * other.height, sum3, sum4);
-      }
+    for (int x = 1; x > -2 && total.color.w < 0.999; --x) {
+      hallway_Material other = hallway_draw_doors(uv, ivec2(x, y), uv_dx, uv_dy);
+      float product = other.color.w * (1.0 - total.color.w * on);
+      vec4 sum = total.color + vec4(other.color.xyz * product, product);
+      vec3 sum2 = total.normal + product * other.normal;
+      float sum3 = total.roughness + product * other.roughness;
+      float sum4 = total.metallic + product * other.metallic;
+      total = hallway_Material(sum, sum2, total.height + product * other.height, sum3, sum4);
     }
   }
   hallway_Material surface = hallway_mean(total);

@@ -268,19 +268,17 @@ leaf_litter_View leaf_litter_by_rank_old(vec2 p, vec2 corner, vec2 p_dx, vec2 p_
   float open = 1.0;
   float through = 1.0;
   uint last = 4294967295u;
-  for (int layer = 0; layer < 18; ++layer) {
-    uint last2 = last;
-    if (open > 0.001) {
-      leaf_litter_Copy copy;
-      leaf_litter_find_next_old(p, corner, last, last2, copy);
-      open = 0.0;
-      if (last2 > 0u) {
-        vec4 seen = leaf_litter_paint_old(copy, p_dx, p_dy);
-        float part = seen.w * through;
-        sum += vec4(seen.xyz, 1.0) * part;
-        open = 1.0 - sum.w;
-        through = open;
-      }
+  for (int layer = 0; layer < 100 && open > 0.001; ++layer) {
+    uint last2;
+    leaf_litter_Copy copy;
+    leaf_litter_find_next_old(p, corner, last, last2, copy);
+    open = 0.0;
+    if (last2 > 0u) {
+      vec4 seen = leaf_litter_paint_old(copy, p_dx, p_dy);
+      float part = seen.w * through;
+      sum += vec4(seen.xyz, 1.0) * part;
+      open = 1.0 - sum.w;
+      through = open;
     }
     last = last2;
   }
@@ -485,19 +483,17 @@ leaf_litter_View leaf_litter_by_rank_fresh(vec2 p, vec2 corner, vec2 p_dx, vec2 
   float open = 1.0;
   float through = 1.0;
   uint last = 4294967295u;
-  for (int layer = 0; layer < 18; ++layer) {
-    uint last2 = last;
-    if (open > 0.001) {
-      leaf_litter_Copy copy;
-      leaf_litter_find_next_fresh(p, corner, last, last2, copy);
-      open = 0.0;
-      if (last2 > 0u) {
-        vec4 seen = leaf_litter_paint_fresh(copy, p_dx, p_dy);
-        float part = seen.w * through;
-        sum += vec4(seen.xyz, 1.0) * part;
-        open = 1.0 - sum.w;
-        through = open;
-      }
+  for (int layer = 0; layer < 100 && open > 0.001; ++layer) {
+    uint last2;
+    leaf_litter_Copy copy;
+    leaf_litter_find_next_fresh(p, corner, last, last2, copy);
+    open = 0.0;
+    if (last2 > 0u) {
+      vec4 seen = leaf_litter_paint_fresh(copy, p_dx, p_dy);
+      float part = seen.w * through;
+      sum += vec4(seen.xyz, 1.0) * part;
+      open = 1.0 - sum.w;
+      through = open;
     }
     last = last2;
   }

@@ -48,19 +48,17 @@ void moving_sprites_explicit_positioning(moving_sprites_Tile tile, int layer, ve
 vec4 moving_sprites_texture_sprites(sampler2DArray patterns, moving_sprites_Tile tile,
     vec2 tile_local_dx, vec2 tile_local_dy) {
   vec4 sum = vec4(0.0);
-  for (int layer = 3; layer > -1; --layer) {
-    if (sum.w < 0.999) {
-      int pattern;
-      moving_sprites_Tile inner;
-      float coverage;
-      moving_sprites_explicit_positioning(tile, layer, tile_local_dx, tile_local_dy, pattern, inner,
-          coverage);
-      vec4 texel = textureGrad(patterns, vec3(inner.local, float(pattern)), tile_local_dx,
-          tile_local_dy);
-      vec4 color = pattern < 0 ? vec4(0.0) : texel;
-      float below = color.w * coverage * (1.0 - sum.w);
-      sum += vec4(color.xyz * below, below);
-    }
+  for (int layer = 3; layer > -1 && sum.w < 0.999; --layer) {
+    int pattern;
+    moving_sprites_Tile inner;
+    float coverage;
+    moving_sprites_explicit_positioning(tile, layer, tile_local_dx, tile_local_dy, pattern, inner,
+        coverage);
+    vec4 texel = textureGrad(patterns, vec3(inner.local, float(pattern)), tile_local_dx,
+        tile_local_dy);
+    vec4 color = pattern < 0 ? vec4(0.0) : texel;
+    float below = color.w * coverage * (1.0 - sum.w);
+    sum += vec4(color.xyz * below, below);
   }
   return vec4(sum.xyz / max(sum.w, 1e-20), sum.w);
 }

@@ -245,15 +245,13 @@ Material material_layer_tiles(vec2 uv, vec2 uv_dx, vec2 uv_dy, vec2 tile_local_d
   float on = clamp(2.0 - 2.0 * max(tiles.x, tiles.y), 0.0, 1.0);
   Material total = Material(vec4(0.0), vec3(0.0), 0.0, 0.0);
   for (int y = 1; y > -2; --y) {
-    for (int x = 1; x > -2; --x) {
-      if (total.color.w < 0.999) {
-        Material other = draw_tiles(uv, ivec2(x, y), uv_dx, uv_dy);
-        float product = other.color.w * (1.0 - total.color.w * on);
-        vec4 sum = total.color + vec4(other.color.xyz * product, product);
-        vec3 sum2 = total.normal + product * other.normal;
-        float sum3 = total.roughness + product * other.roughness;
-        total = Material(sum, sum2, total.height + product * other.height, sum3);
-      }
+    for (int x = 1; x > -2 && total.color.w < 0.999; --x) {
+      Material other = draw_tiles(uv, ivec2(x, y), uv_dx, uv_dy);
+      float product = other.color.w * (1.0 - total.color.w * on);
+      vec4 sum = total.color + vec4(other.color.xyz * product, product);
+      vec3 sum2 = total.normal + product * other.normal;
+      float sum3 = total.roughness + product * other.roughness;
+      total = Material(sum, sum2, total.height + product * other.height, sum3);
     }
   }
   Material surface = mean(total);
@@ -349,15 +347,13 @@ Material material_layer_moss_layer(vec2 uv, vec2 uv_dx, vec2 uv_dy, vec2 tile_lo
   float on = clamp(2.0 - 2.0 * max(tiles.x, tiles.y), 0.0, 1.0);
   Material total = Material(vec4(0.0), vec3(0.0), 0.0, 0.0);
   for (int y = 1; y > -2; --y) {
-    for (int x = 1; x > -2; --x) {
-      if (total.color.w < 0.999) {
-        Material other = draw_moss_layer(uv, ivec2(x, y), uv_dx, uv_dy);
-        float product = other.color.w * (1.0 - total.color.w * on);
-        vec4 sum = total.color + vec4(other.color.xyz * product, product);
-        vec3 sum2 = total.normal + product * other.normal;
-        float sum3 = total.roughness + product * other.roughness;
-        total = Material(sum, sum2, total.height + product * other.height, sum3);
-      }
+    for (int x = 1; x > -2 && total.color.w < 0.999; --x) {
+      Material other = draw_moss_layer(uv, ivec2(x, y), uv_dx, uv_dy);
+      float product = other.color.w * (1.0 - total.color.w * on);
+      vec4 sum = total.color + vec4(other.color.xyz * product, product);
+      vec3 sum2 = total.normal + product * other.normal;
+      float sum3 = total.roughness + product * other.roughness;
+      total = Material(sum, sum2, total.height + product * other.height, sum3);
     }
   }
   Material surface = mean(total);

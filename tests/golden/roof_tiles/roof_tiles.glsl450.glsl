@@ -238,15 +238,13 @@ roof_tiles_Material roof_tiles_material_layer_tiles(vec2 uv, vec2 uv_dx, vec2 uv
   float on = clamp(2.0 - 2.0 * max(tiles.x, tiles.y), 0.0, 1.0);
   roof_tiles_Material total = roof_tiles_Material(vec4(0.0), vec3(0.0), 0.0, 0.0);
   for (int y = 1; y > -2; --y) {
-    for (int x = 1; x > -2; --x) {
-      if (total.color.w < 0.999) {
-        roof_tiles_Material other = roof_tiles_draw_tiles(uv, ivec2(x, y), uv_dx, uv_dy);
-        float product = other.color.w * (1.0 - total.color.w * on);
-        vec4 sum = total.color + vec4(other.color.xyz * product, product);
-        vec3 sum2 = total.normal + product * other.normal;
-        float sum3 = total.roughness + product * other.roughness;
-        total = roof_tiles_Material(sum, sum2, total.height + product * other.height, sum3);
-      }
+    for (int x = 1; x > -2 && total.color.w < 0.999; --x) {
+      roof_tiles_Material other = roof_tiles_draw_tiles(uv, ivec2(x, y), uv_dx, uv_dy);
+      float product = other.color.w * (1.0 - total.color.w * on);
+      vec4 sum = total.color + vec4(other.color.xyz * product, product);
+      vec3 sum2 = total.normal + product * other.normal;
+      float sum3 = total.roughness + product * other.roughness;
+      total = roof_tiles_Material(sum, sum2, total.height + product * other.height, sum3);
     }
   }
   roof_tiles_Material surface = roof_tiles_mean(total);
@@ -343,15 +341,13 @@ roof_tiles_Material roof_tiles_material_layer_moss_layer(vec2 uv, vec2 uv_dx, ve
   float on = clamp(2.0 - 2.0 * max(tiles.x, tiles.y), 0.0, 1.0);
   roof_tiles_Material total = roof_tiles_Material(vec4(0.0), vec3(0.0), 0.0, 0.0);
   for (int y = 1; y > -2; --y) {
-    for (int x = 1; x > -2; --x) {
-      if (total.color.w < 0.999) {
-        roof_tiles_Material other = roof_tiles_draw_moss_layer(uv, ivec2(x, y), uv_dx, uv_dy);
-        float product = other.color.w * (1.0 - total.color.w * on);
-        vec4 sum = total.color + vec4(other.color.xyz * product, product);
-        vec3 sum2 = total.normal + product * other.normal;
-        float sum3 = total.roughness + product * other.roughness;
-        total = roof_tiles_Material(sum, sum2, total.height + product * other.height, sum3);
-      }
+    for (int x = 1; x > -2 && total.color.w < 0.999; --x) {
+      roof_tiles_Material other = roof_tiles_draw_moss_layer(uv, ivec2(x, y), uv_dx, uv_dy);
+      float product = other.color.w * (1.0 - total.color.w * on);
+      vec4 sum = total.color + vec4(other.color.xyz * product, product);
+      vec3 sum2 = total.normal + product * other.normal;
+      float sum3 = total.roughness + product * other.roughness;
+      total = roof_tiles_Material(sum, sum2, total.height + product * other.height, sum3);
     }
   }
   roof_tiles_Material surface = roof_tiles_mean(total);

@@ -100,19 +100,17 @@ spheres_View spheres_by_rank(vec3 p, vec3 corner, vec3 p_dx, vec3 p_dy) {
   float open = 1.0;
   float through = 1.0;
   uint last = 4294967295u;
-  for (int layer = 0; layer < 8; ++layer) {
-    uint last2 = last;
-    if (open > 0.001) {
-      spheres_Copy copy;
-      spheres_find_next(p, corner, last, last2, copy);
-      open = 0.0;
-      if (last2 > 0u) {
-        vec4 seen = spheres_paint(copy, p_dx, p_dy);
-        float part = seen.w * through;
-        sum += vec4(seen.xyz, 1.0) * part;
-        open = 1.0 - sum.w;
-        through = open;
-      }
+  for (int layer = 0; layer < 8 && open > 0.001; ++layer) {
+    uint last2;
+    spheres_Copy copy;
+    spheres_find_next(p, corner, last, last2, copy);
+    open = 0.0;
+    if (last2 > 0u) {
+      vec4 seen = spheres_paint(copy, p_dx, p_dy);
+      float part = seen.w * through;
+      sum += vec4(seen.xyz, 1.0) * part;
+      open = 1.0 - sum.w;
+      through = open;
     }
     last = last2;
   }

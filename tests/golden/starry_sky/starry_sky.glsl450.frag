@@ -517,21 +517,17 @@ vec4 paint_dust_stars(Copy copy, vec2 copy_from_dx, vec2 copy_from_dy) {
 View in_order_dust_stars(vec2 p, vec2 corner, vec2 p_dx, vec2 p_dy) {
   vec3 light = vec3(0.0);
   float through = 1.0;
-  for (int y = 1; y > -1; --y) {
-    for (int x = 1; x > -1; --x) {
-      for (int index = 1; index > -1; --index) {
-        vec2 sum = corner + vec2(ivec2(x, y));
-        uvec4 copy_bits_value = copy_bits(ivec2(sum), index, 1);
-        Copy copy = Copy(copy_bits_value.w,
-            p - sum - vec2(ivec2(copy_bits_value.xy)) * 2.3283064e-10);
-        vec2 away = distance_of_dust_stars(copy);
-        if (away.x < away.y && is_there_dust_stars(copy, p)) {
-          vec4 seen = paint_dust_stars(copy, p_dx, p_dy);
-          vec3 own = seen.xyz * seen.w;
-          light += own;
-          through -= seen.w;
-        }
-      }
+  for (int i = 7; i > -1; --i) {
+    int place = i / 2;
+    vec2 node = corner + vec2(ivec2(place % 2, place / 2));
+    uvec4 copy_bits_value = copy_bits(ivec2(node), i % 2, 1);
+    Copy copy = Copy(copy_bits_value.w, p - node - vec2(ivec2(copy_bits_value.xy)) * 2.3283064e-10);
+    vec2 away = distance_of_dust_stars(copy);
+    if (away.x < away.y && is_there_dust_stars(copy, p)) {
+      vec4 seen = paint_dust_stars(copy, p_dx, p_dy);
+      vec3 own = seen.xyz * seen.w;
+      light += own;
+      through -= seen.w;
     }
   }
   return View(light, max(through, 0.0));
@@ -591,21 +587,17 @@ vec4 paint_stars(Copy copy, vec2 copy_from_dx, vec2 copy_from_dy) {
 View in_order_stars(vec2 p, vec2 corner, vec2 p_dx, vec2 p_dy) {
   vec3 light = vec3(0.0);
   float through = 1.0;
-  for (int y = 1; y > -1; --y) {
-    for (int x = 1; x > -1; --x) {
-      for (int index = 1; index > -1; --index) {
-        vec2 sum = corner + vec2(ivec2(x, y));
-        uvec4 copy_bits_value = copy_bits(ivec2(sum), index, 2);
-        Copy copy = Copy(copy_bits_value.w,
-            p - sum - vec2(ivec2(copy_bits_value.xy)) * 2.3283064e-10);
-        vec2 away = distance_of_stars(copy);
-        if (away.x < away.y) {
-          vec4 seen = paint_stars(copy, p_dx, p_dy);
-          vec3 own = seen.xyz * seen.w;
-          light += own;
-          through -= seen.w;
-        }
-      }
+  for (int i = 7; i > -1; --i) {
+    int place = i / 2;
+    vec2 node = corner + vec2(ivec2(place % 2, place / 2));
+    uvec4 copy_bits_value = copy_bits(ivec2(node), i % 2, 2);
+    Copy copy = Copy(copy_bits_value.w, p - node - vec2(ivec2(copy_bits_value.xy)) * 2.3283064e-10);
+    vec2 away = distance_of_stars(copy);
+    if (away.x < away.y) {
+      vec4 seen = paint_stars(copy, p_dx, p_dy);
+      vec3 own = seen.xyz * seen.w;
+      light += own;
+      through -= seen.w;
     }
   }
   return View(light, max(through, 0.0));
@@ -718,19 +710,16 @@ vec4 paint_bright(Copy copy, vec2 copy_from_dx, vec2 copy_from_dy) {
 View in_order_bright(vec2 p, vec2 corner, vec2 p_dx, vec2 p_dy) {
   vec3 light = vec3(0.0);
   float through = 1.0;
-  for (int y = 1; y > -1; --y) {
-    for (int x = 1; x > -1; --x) {
-      vec2 sum = corner + vec2(ivec2(x, y));
-      uvec4 copy_bits_value = copy_bits(ivec2(sum), 0, 3);
-      Copy copy = Copy(copy_bits_value.w,
-          p - sum - vec2(ivec2(copy_bits_value.xy)) * 2.3283064e-10);
-      vec2 away = distance_of_bright(copy);
-      if (away.x < away.y && is_there_bright(copy)) {
-        vec4 seen = paint_bright(copy, p_dx, p_dy);
-        vec3 own = seen.xyz * seen.w;
-        light += own;
-        through -= seen.w;
-      }
+  for (int i = 3; i > -1; --i) {
+    vec2 node = corner + vec2(ivec2(i % 2, i / 2));
+    uvec4 copy_bits_value = copy_bits(ivec2(node), 0, 3);
+    Copy copy = Copy(copy_bits_value.w, p - node - vec2(ivec2(copy_bits_value.xy)) * 2.3283064e-10);
+    vec2 away = distance_of_bright(copy);
+    if (away.x < away.y && is_there_bright(copy)) {
+      vec4 seen = paint_bright(copy, p_dx, p_dy);
+      vec3 own = seen.xyz * seen.w;
+      light += own;
+      through -= seen.w;
     }
   }
   return View(light, max(through, 0.0));

@@ -447,19 +447,17 @@ View by_rank_small(vec3 p, vec3 corner, float near, vec3 p_dx, vec3 p_dy) {
   float open = near;
   float through = 1.0;
   uint last = 4294967295u;
-  for (int layer = 0; layer < 16; ++layer) {
-    uint last2 = last;
-    if (open > 0.001) {
-      Copy copy;
-      find_next_small(p, corner, last, last2, copy);
-      open = 0.0;
-      if (last2 > 0u) {
-        vec4 seen = paint(copy, vec2(0.35, 0.57), p_dx, p_dy);
-        float part = seen.w * through;
-        sum += vec4(seen.xyz, 1.0) * part;
-        open = 1.0 - sum.w;
-        through = open;
-      }
+  for (int layer = 0; layer < 16 && open > 0.001; ++layer) {
+    uint last2;
+    Copy copy;
+    find_next_small(p, corner, last, last2, copy);
+    open = 0.0;
+    if (last2 > 0u) {
+      vec4 seen = paint(copy, vec2(0.35, 0.57), p_dx, p_dy);
+      float part = seen.w * through;
+      sum += vec4(seen.xyz, 1.0) * part;
+      open = 1.0 - sum.w;
+      through = open;
     }
     last = last2;
   }
@@ -529,19 +527,17 @@ View by_rank_medium(vec3 p, vec3 corner, vec2 size, int seed, float near, vec3 p
   float open = near;
   float through = 1.0;
   uint last = 4294967295u;
-  for (int layer = 0; layer < 54; ++layer) {
-    uint last2 = last;
-    if (open > 0.001) {
-      Copy copy;
-      find_next_medium(p, corner, size, seed, last, last2, copy);
-      open = 0.0;
-      if (last2 > 0u) {
-        vec4 seen = paint(copy, size, p_dx, p_dy);
-        float part = seen.w * through;
-        sum += vec4(seen.xyz, 1.0) * part;
-        open = 1.0 - sum.w;
-        through = open;
-      }
+  for (int layer = 0; layer < 54 && open > 0.001; ++layer) {
+    uint last2;
+    Copy copy;
+    find_next_medium(p, corner, size, seed, last, last2, copy);
+    open = 0.0;
+    if (last2 > 0u) {
+      vec4 seen = paint(copy, size, p_dx, p_dy);
+      float part = seen.w * through;
+      sum += vec4(seen.xyz, 1.0) * part;
+      open = 1.0 - sum.w;
+      through = open;
     }
     last = last2;
   }

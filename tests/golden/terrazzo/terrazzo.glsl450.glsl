@@ -448,19 +448,17 @@ terrazzo_View terrazzo_by_rank_small(vec3 p, vec3 corner, float near, vec3 p_dx,
   float open = near;
   float through = 1.0;
   uint last = 4294967295u;
-  for (int layer = 0; layer < 16; ++layer) {
-    uint last2 = last;
-    if (open > 0.001) {
-      terrazzo_Copy copy;
-      terrazzo_find_next_small(p, corner, last, last2, copy);
-      open = 0.0;
-      if (last2 > 0u) {
-        vec4 seen = terrazzo_paint(copy, vec2(0.35, 0.57), p_dx, p_dy);
-        float part = seen.w * through;
-        sum += vec4(seen.xyz, 1.0) * part;
-        open = 1.0 - sum.w;
-        through = open;
-      }
+  for (int layer = 0; layer < 16 && open > 0.001; ++layer) {
+    uint last2;
+    terrazzo_Copy copy;
+    terrazzo_find_next_small(p, corner, last, last2, copy);
+    open = 0.0;
+    if (last2 > 0u) {
+      vec4 seen = terrazzo_paint(copy, vec2(0.35, 0.57), p_dx, p_dy);
+      float part = seen.w * through;
+      sum += vec4(seen.xyz, 1.0) * part;
+      open = 1.0 - sum.w;
+      through = open;
     }
     last = last2;
   }
@@ -533,19 +531,17 @@ terrazzo_View terrazzo_by_rank_medium(vec3 p, vec3 corner, vec2 size, int seed, 
   float open = near;
   float through = 1.0;
   uint last = 4294967295u;
-  for (int layer = 0; layer < 54; ++layer) {
-    uint last2 = last;
-    if (open > 0.001) {
-      terrazzo_Copy copy;
-      terrazzo_find_next_medium(p, corner, size, seed, last, last2, copy);
-      open = 0.0;
-      if (last2 > 0u) {
-        vec4 seen = terrazzo_paint(copy, size, p_dx, p_dy);
-        float part = seen.w * through;
-        sum += vec4(seen.xyz, 1.0) * part;
-        open = 1.0 - sum.w;
-        through = open;
-      }
+  for (int layer = 0; layer < 54 && open > 0.001; ++layer) {
+    uint last2;
+    terrazzo_Copy copy;
+    terrazzo_find_next_medium(p, corner, size, seed, last, last2, copy);
+    open = 0.0;
+    if (last2 > 0u) {
+      vec4 seen = terrazzo_paint(copy, size, p_dx, p_dy);
+      float part = seen.w * through;
+      sum += vec4(seen.xyz, 1.0) * part;
+      open = 1.0 - sum.w;
+      through = open;
     }
     last = last2;
   }

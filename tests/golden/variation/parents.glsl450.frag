@@ -198,15 +198,13 @@ void material_layer_tiles(vec2 uv, Tile tile, vec2 uv_dx, vec2 uv_dy, vec2 tile_
   float on = clamp(2.0 - 2.0 * max(tiles.x, tiles.y), 0.0, 1.0);
   Material total = Material(vec4(0.0), vec3(0.0), 0.0, 0.0);
   for (int y = 1; y > -2; --y) {
-    for (int x = 1; x > -2; --x) {
-      if (total.color.w < 0.999) {
-        Material other = draw_tiles(uv, ivec2(x, y), uv_dx, uv_dy);
-        float product = other.color.w * (1.0 - total.color.w * on);
-        vec4 sum = total.color + vec4(other.color.xyz * product, product);
-        vec3 sum2 = total.normal + product * other.normal;
-        float sum3 = total.roughness + product * other.roughness;
-        total = Material(sum, sum2, sum3, total.metallic + product * other.metallic);
-      }
+    for (int x = 1; x > -2 && total.color.w < 0.999; --x) {
+      Material other = draw_tiles(uv, ivec2(x, y), uv_dx, uv_dy);
+      float product = other.color.w * (1.0 - total.color.w * on);
+      vec4 sum = total.color + vec4(other.color.xyz * product, product);
+      vec3 sum2 = total.normal + product * other.normal;
+      float sum3 = total.roughness + product * other.roughness;
+      total = Material(sum, sum2, sum3, total.metallic + product * other.metallic);
     }
   }
   Material surface2 = mean(total);
@@ -332,15 +330,13 @@ Material material_layer_stars(vec2 uv, vec2 uv_dx, vec2 uv_dy, vec2 tile_local_d
   float on = clamp(2.0 - 2.0 * max(tiles.x, tiles.y), 0.0, 1.0);
   Material total = Material(vec4(0.0), vec3(0.0), 0.0, 0.0);
   for (int y = 1; y > -2; --y) {
-    for (int x = 1; x > -2; --x) {
-      if (total.color.w < 0.999) {
-        Material other = draw_stars(uv, ivec2(x, y), uv_dx, uv_dy);
-        float product = other.color.w * (1.0 - total.color.w * on);
-        vec4 sum = total.color + vec4(other.color.xyz * product, product);
-        vec3 sum2 = total.normal + product * other.normal;
-        float sum3 = total.roughness + product * other.roughness;
-        total = Material(sum, sum2, sum3, total.metallic + product * other.metallic);
-      }
+    for (int x = 1; x > -2 && total.color.w < 0.999; --x) {
+      Material other = draw_stars(uv, ivec2(x, y), uv_dx, uv_dy);
+      float product = other.color.w * (1.0 - total.color.w * on);
+      vec4 sum = total.color + vec4(other.color.xyz * product, product);
+      vec3 sum2 = total.normal + product * other.normal;
+      float sum3 = total.roughness + product * other.roughness;
+      total = Material(sum, sum2, sum3, total.metallic + product * other.metallic);
     }
   }
   Material surface = mean(total);

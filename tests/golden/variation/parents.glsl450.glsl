@@ -192,15 +192,13 @@ void parents_material_layer_tiles(vec2 uv, parents_Tile tile, vec2 uv_dx, vec2 u
   float on = clamp(2.0 - 2.0 * max(tiles.x, tiles.y), 0.0, 1.0);
   parents_Material total = parents_Material(vec4(0.0), vec3(0.0), 0.0, 0.0);
   for (int y = 1; y > -2; --y) {
-    for (int x = 1; x > -2; --x) {
-      if (total.color.w < 0.999) {
-        parents_Material other = parents_draw_tiles(uv, ivec2(x, y), uv_dx, uv_dy);
-        float product = other.color.w * (1.0 - total.color.w * on);
-        vec4 sum = total.color + vec4(other.color.xyz * product, product);
-        vec3 sum2 = total.normal + product * other.normal;
-        float sum3 = total.roughness + product * other.roughness;
-        total = parents_Material(sum, sum2, sum3, total.metallic + product * other.metallic);
-      }
+    for (int x = 1; x > -2 && total.color.w < 0.999; --x) {
+      parents_Material other = parents_draw_tiles(uv, ivec2(x, y), uv_dx, uv_dy);
+      float product = other.color.w * (1.0 - total.color.w * on);
+      vec4 sum = total.color + vec4(other.color.xyz * product, product);
+      vec3 sum2 = total.normal + product * other.normal;
+      float sum3 = total.roughness + product * other.roughness;
+      total = parents_Material(sum, sum2, sum3, total.metallic + product * other.metallic);
     }
   }
   parents_Material surface2 = parents_mean(total);
@@ -327,15 +325,13 @@ parents_Material parents_material_layer_stars(vec2 uv, vec2 uv_dx, vec2 uv_dy, v
   float on = clamp(2.0 - 2.0 * max(tiles.x, tiles.y), 0.0, 1.0);
   parents_Material total = parents_Material(vec4(0.0), vec3(0.0), 0.0, 0.0);
   for (int y = 1; y > -2; --y) {
-    for (int x = 1; x > -2; --x) {
-      if (total.color.w < 0.999) {
-        parents_Material other = parents_draw_stars(uv, ivec2(x, y), uv_dx, uv_dy);
-        float product = other.color.w * (1.0 - total.color.w * on);
-        vec4 sum = total.color + vec4(other.color.xyz * product, product);
-        vec3 sum2 = total.normal + product * other.normal;
-        float sum3 = total.roughness + product * other.roughness;
-        total = parents_Material(sum, sum2, sum3, total.metallic + product * other.metallic);
-      }
+    for (int x = 1; x > -2 && total.color.w < 0.999; --x) {
+      parents_Material other = parents_draw_stars(uv, ivec2(x, y), uv_dx, uv_dy);
+      float product = other.color.w * (1.0 - total.color.w * on);
+      vec4 sum = total.color + vec4(other.color.xyz * product, product);
+      vec3 sum2 = total.normal + product * other.normal;
+      float sum3 = total.roughness + product * other.roughness;
+      total = parents_Material(sum, sum2, sum3, total.metallic + product * other.metallic);
     }
   }
   parents_Material surface = parents_mean(total);

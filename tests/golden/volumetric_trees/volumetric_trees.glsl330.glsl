@@ -210,20 +210,18 @@ vec4 volumetric_trees_stand_second(vec3 position, vec3 position_dx, vec3 positio
 // volume_slices (indirection/volume_slices.glsl)
 vec4 volumetric_trees_volume_slices(vec2 uv, vec2 view, vec2 uv_dx, vec2 uv_dy) {
   vec4 sum = vec4(0.0);
-  for (int i = 63; i > -1; --i) {
-    if (sum.w < 0.999) {
-      float level = (float(i) + 0.5) * 0.015625;
-      vec3 vector = vec3(uv - view * (0.13 * level), level);
-      vec3 vector2 = vec3(uv_dx, 0.0);
-      vec3 vector3 = vec3(uv_dy, 0.0);
-      vec4 stand_first_value = volumetric_trees_stand_first(vector, vector2, vector3);
-      vec4 stand_second_value = volumetric_trees_stand_second(vector, vector2, vector3);
-      float blend = mix(stand_second_value.w, 1.0, stand_first_value.w);
-      vec3 blend2 = mix(stand_second_value.xyz, stand_first_value.xyz,
-          stand_first_value.w / max(blend, 1e-20));
-      float below = blend * (1.0 - sum.w);
-      sum += vec4(blend2 * below, below);
-    }
+  for (int i = 63; i > -1 && sum.w < 0.999; --i) {
+    float level = (float(i) + 0.5) * 0.015625;
+    vec3 vector = vec3(uv - view * (0.13 * level), level);
+    vec3 vector2 = vec3(uv_dx, 0.0);
+    vec3 vector3 = vec3(uv_dy, 0.0);
+    vec4 stand_first_value = volumetric_trees_stand_first(vector, vector2, vector3);
+    vec4 stand_second_value = volumetric_trees_stand_second(vector, vector2, vector3);
+    float blend = mix(stand_second_value.w, 1.0, stand_first_value.w);
+    vec3 blend2 = mix(stand_second_value.xyz, stand_first_value.xyz,
+        stand_first_value.w / max(blend, 1e-20));
+    float below = blend * (1.0 - sum.w);
+    sum += vec4(blend2 * below, below);
   }
   return vec4(sum.xyz / max(sum.w, 1e-20), sum.w);
 }

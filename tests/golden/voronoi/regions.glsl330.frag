@@ -112,19 +112,17 @@ View by_rank(vec2 p, vec2 corner, vec2 p_dx, vec2 p_dy) {
   float through = 1.0;
   uint last = 4294967295u;
   int last_number = 2147483647;
-  for (int layer = 0; layer < 48; ++layer) {
-    uint last2 = last;
-    int last_number2 = last_number;
-    if (open > 0.001) {
-      Copy copy;
-      find_next(p, corner, last, last_number, last2, last_number2, copy);
-      open = 0.0;
-      if (last2 > 0u) {
-        vec4 seen = paint(copy, p_dx, p_dy);
-        sum += vec4(seen.xyz, 1.0) * through;
-        open = 1.0 - sum.w;
-        through = open;
-      }
+  for (int layer = 0; layer < 100 && open > 0.001; ++layer) {
+    uint last2;
+    int last_number2;
+    Copy copy;
+    find_next(p, corner, last, last_number, last2, last_number2, copy);
+    open = 0.0;
+    if (last2 > 0u) {
+      vec4 seen = paint(copy, p_dx, p_dy);
+      sum += vec4(seen.xyz, 1.0) * through;
+      open = 1.0 - sum.w;
+      through = open;
     }
     last = last2;
     last_number = last_number2;

@@ -388,7 +388,7 @@ function main() -> (x: float, y: float) {
   %v = extract.1 @uv : float
   %1 = for %i = 0 to 5 step 1 (%open = %u, %sum = 0.0) : (float, float) {
     %f = convert %i : float
-    %2 = less 0.5, )" +
+    %2 = lt 0.5, )" +
          condition + R"( : bool
     %3 = if %2 : (float, float) {
       %4 = sin %open : float
@@ -416,10 +416,10 @@ TEST(Control, AnIfThatIsAllOfALoopEndsIt) {
   const std::string module = LoopOfAnIf("%open", "%open, %sum");
   EXPECT_EQ(MainBody(module), R"(  float open = uv.x;
   float sum = 0.0;
-  for (int i = 0; i < 5 && 0.5 < open; ++i) {
+  for (int i = 0; i < 5 && open > 0.5; ++i) {
     float product = sin(open) * uv.y;
-    sum += product;
     open -= product;
+    sum += product;
   }
   out_x = open;
   out_y = sum;
