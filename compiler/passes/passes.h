@@ -21,6 +21,10 @@ bool BuildModule(const graph::CheckedGraph& graph, blocks::Library& library, ir:
 // at `where`, the graph.
 bool Specialize(ir::Module& module, bool fold, SourceRange where, Diagnostics& diagnostics);
 
+// What kCostLimit bounds: the operations that main runs for one pixel, both sides of ifs counted, and two rounds of loops that
+// end themselves. Of a specialised module.
+uint64_t OperationsForAPixel(const ir::Module& module);
+
 // The same meaning with never more operations: folds, applies the algebraic rules, merges equal values and parameters that
 // always get the same, drops what nothing uses, globals, parameters and results of functions, and members of structs included.
 // Functions and globals get new ids. Idempotent.

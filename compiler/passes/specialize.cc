@@ -542,11 +542,17 @@ uint64_t RegionCost(const ir::Function& function, ir::RegionId region,
   return cost;
 }
 
-bool Specializer::CheckCost() {
+// Of every function, with all that it calls.
+std::vector<uint64_t> Costs(const ir::Module& module) {
   std::vector<uint64_t> costs;
-  for (const ir::Function& function : module_.functions) {
+  for (const ir::Function& function : module.functions) {
     costs.push_back(RegionCost(function, function.body, costs));
   }
+  return costs;
+}
+
+bool Specializer::CheckCost() {
+  const std::vector<uint64_t> costs = Costs(module_);
   if (costs[module_.main.index] <= kMaxCost) return true;
   // The chain of the costliest calls.
   std::string chain = "main";
@@ -577,6 +583,8 @@ bool Specializer::Run() {
 }
 
 }  // namespace
+
+uint64_t OperationsForAPixel(const ir::Module& module) { return Costs(module)[module.main.index]; }
 
 bool Specialize(ir::Module& module, bool fold, SourceRange where, Diagnostics& diagnostics) {
   std::vector<bool> changed(module.functions.size());

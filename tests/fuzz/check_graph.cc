@@ -12,6 +12,7 @@
 
 #include "compiler/base/files.h"
 #include "compiler/ir/verify.h"
+#include "compiler/passes/passes.h"
 #include "compiler/spirv/compile_spirv.h"
 #include "tests/fuzz/glslang_check.h"
 #include "tests/fuzz/graph_textures.h"
@@ -27,6 +28,8 @@ namespace {
 
 using Words = std::vector<uint32_t>;
 
+// More operations for a pixel would take seconds to evaluate, or minutes.
+constexpr uint64_t kMostOperations = 500'000;
 constexpr uint32_t kLanes = 64;
 constexpr double kLoose = 0.01;
 
@@ -218,6 +221,8 @@ std::string CheckOptimizer(const std::string& text, graph::DocumentFormat format
     const std::string wrong = ir::Verify(*lowered->lowered->module);
     if (!wrong.empty()) return "malformed: " + wrong;
   }
+  report.costly = passes::OperationsForAPixel(*plain.lowered->module) > kMostOperations;
+  if (report.costly) return "";
   const auto surface = SurfaceInputs(seed);
   const ir::Module& module = *plain.lowered->module;
   const ir::Module& optimized_module = *optimized.lowered->module;

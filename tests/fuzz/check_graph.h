@@ -14,6 +14,7 @@ namespace texgraph::fuzz {
 struct GraphReport {
   std::string failure;     // "" if all is well
   std::string limit;       // the name of the stated limit that was reached instead, or ""
+  bool costly = false;     // it runs so much for each pixel that it was not evaluated
   uint64_t values = 0;     // that were compared, optimised with not optimised
   uint64_t undefined = 0;  // that differed, where something was infinite or undefined on the way
   uint64_t loose = 0;      // with more than 0.01 of slack: they say little

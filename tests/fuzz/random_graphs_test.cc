@@ -22,7 +22,7 @@ constexpr uint32_t kBrokenTexts = 16;  // of each graph
 TEST(RandomGraphs, AreValidAndMeanTheSameOptimizedOrNot) {
   ScratchFolder folder;
   ASSERT_TRUE(WriteGraphImages(folder.path()));
-  uint32_t limits = 0;
+  uint32_t limits = 0, costly = 0;
   uint64_t values = 0, undefined = 0, loose = 0;
   for (uint32_t seed = 1; seed <= kGraphs; ++seed) {
     const RandomGraphText graph = RandomGraph(seed);
@@ -30,11 +30,13 @@ TEST(RandomGraphs, AreValidAndMeanTheSameOptimizedOrNot) {
         CheckValidGraph(graph.text, graph.format, folder / graph.FileName(seed), seed);
     EXPECT_EQ(report.failure, "") << "seed " << seed << "\n" << graph.text;
     if (!report.limit.empty()) ++limits;
+    costly += report.costly;
     values += report.values;
     undefined += report.undefined;
     loose += report.loose;
   }
   EXPECT_LE(limits, kGraphs / 50);
+  EXPECT_LE(costly, kGraphs / 50);
   EXPECT_GT(values, uint64_t{kGraphs} * 64);
   EXPECT_LT(undefined, values / 100);
   EXPECT_LT(loose, values / 10);
