@@ -46,19 +46,6 @@ void CompileText(const std::string& text, graph::DocumentFormat format, const st
   attempt.compiled = Compile(source, format, options, attempt.sources, attempt.diagnostics);
 }
 
-// The limit that was reached, if nothing worse happened.
-std::string ReachedLimit(const Diagnostics& diagnostics) {
-  std::string limit;
-  for (const Diagnostic& diagnostic : diagnostics.all()) {
-    if (diagnostic.severity == Severity::kWarning) continue;
-    // Which numbers come to a port is not known when a random graph is made.
-    const bool beyond = diagnostic.kind == DiagnosticKind::kPatternRange;
-    if (DiagnosticExit(diagnostic.kind) != ExitCode::kLimit && !beyond) return "";
-    limit = DiagnosticName(diagnostic.kind);
-  }
-  return limit;
-}
-
 // What a layer cannot know when the shader is made it may warn of, and of what is the same wherever
 // a function port asks: random graphs connect anything.
 bool OnlyWarnings(const Diagnostics& diagnostics) {
@@ -239,6 +226,18 @@ std::string CheckOptimizer(const std::string& text, graph::DocumentFormat format
 }
 
 }  // namespace
+
+std::string ReachedLimit(const Diagnostics& diagnostics) {
+  std::string limit;
+  for (const Diagnostic& diagnostic : diagnostics.all()) {
+    if (diagnostic.severity == Severity::kWarning) continue;
+    // Which numbers come to a port is not known when a random graph is made.
+    const bool beyond = diagnostic.kind == DiagnosticKind::kPatternRange;
+    if (DiagnosticExit(diagnostic.kind) != ExitCode::kLimit && !beyond) return "";
+    limit = DiagnosticName(diagnostic.kind);
+  }
+  return limit;
+}
 
 void LowerText(const std::string& text, graph::DocumentFormat format, const std::string& path,
                const CompileOptions& options, LoweredText& result) {

@@ -31,6 +31,9 @@ GraphReport CheckValidGraph(const std::string& text, graph::DocumentFormat forma
 std::string CheckBrokenGraph(const std::string& text, graph::DocumentFormat format,
                              const std::string& path);
 
+// The name of the stated limit that is the only reason why a graph is refused, or "".
+std::string ReachedLimit(const Diagnostics& diagnostics);
+
 // The graph as a module, with the sources and diagnostics that it came with.
 struct LoweredText {
   Sources sources;

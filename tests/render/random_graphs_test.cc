@@ -66,6 +66,7 @@ TEST(RandomGraphs, CpuAndGpuAgree) {
   ScratchFolder folder;
   ASSERT_TRUE(fuzz::WriteGraphImages(folder.path()));
   std::deque<RandomCase> batch;
+  uint32_t limits = 0;
   for (uint32_t seed = 1; seed <= Seeds(); ++seed) {
     RandomCase& random = batch.emplace_back();
     random.seed = seed;
@@ -75,9 +76,14 @@ TEST(RandomGraphs, CpuAndGpuAgree) {
     options.optimize = seed % 4 != 0;
     fuzz::LowerText(random.graph.text, random.graph.format, folder / random.graph.FileName(seed),
                     options, random.lowered);
-    ASSERT_TRUE(random.lowered.lowered) << random.lowered.Errors();
+    if (!random.lowered.lowered) {
+      ASSERT_NE(fuzz::ReachedLimit(random.lowered.diagnostics), "") << random.lowered.Errors();
+      batch.pop_back();
+      ++limits;
+    }
     if (batch.size() == kBatch || seed == Seeds()) Compare(batch, folder.path());
   }
+  EXPECT_LE(limits, 1 + Seeds() / 40);
 }
 
 }  // namespace
