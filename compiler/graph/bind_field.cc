@@ -207,8 +207,11 @@ std::optional<BoundPort> SubgraphChecker::BindFieldOfBlock(const Target& target,
     const ir::TypeId given = overload.outputs[0].type;
     if (!ConversionCost(given, result)) continue;
     if (auto by_parameter = MapBlock(port, overload, types)) {
-      return BoundPort{FieldOfBlock{block, &overload}, given, port.type, std::move(*by_parameter),
-                       range};
+      std::vector<DefaultBlock>& known = check_.result.default_blocks;
+      const DefaultBlock meant{block, &overload};
+      const auto index = static_cast<uint32_t>(std::ranges::find(known, meant) - known.begin());
+      if (index == known.size()) known.push_back(meant);
+      return BoundPort{FieldOfBlock{index}, given, port.type, std::move(*by_parameter), range};
     }
   }
   const std::string which =

@@ -81,8 +81,7 @@ struct FieldOfBuiltin {
 // The port's own default. BoundPort::by_parameter[i] is the prototype's parameter for input i of
 // the overload, or none: the input's default, which it has.
 struct FieldOfBlock {
-  const blocks::Block* block;
-  const blocks::Overload* overload;
+  uint32_t block;  // into CheckedGraph::default_blocks
 };
 struct FieldOfConstant {  // already of the field's result type
   ir::ConstId value;
@@ -128,9 +127,17 @@ struct CheckedParameter {
   ir::ConstId value;  // after --set
 };
 
+// A block that is the default of a function port.
+struct DefaultBlock {
+  const blocks::Block* block;
+  const blocks::Overload* overload;
+  friend bool operator==(const DefaultBlock&, const DefaultBlock&) = default;
+};
+
 struct CheckedGraph {
   const Graph* graph = nullptr;
   std::vector<CheckedParameter> parameters;
+  std::vector<DefaultBlock> default_blocks;
   std::vector<CheckedSubgraph> functions;   // callees before callers
   std::vector<uint32_t> function_of_graph;  // by index in Graph::functions: index in `functions`
   CheckedSubgraph main;

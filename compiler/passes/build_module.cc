@@ -35,7 +35,7 @@ bool Repeats(const graph::Texture& texture) {
 }
 
 // What the inputs of a port's default block have as defaults.
-BuiltinSet UsedByDefault(const BoundPort& bound, const graph::FieldOfBlock& source) {
+BuiltinSet UsedByDefault(const BoundPort& bound, const graph::DefaultBlock& source) {
   BuiltinSet use = 0;
   for (size_t i = 0; i < source.overload->inputs.size(); ++i) {
     const std::string& input = source.overload->inputs[i].default_input;
@@ -103,7 +103,7 @@ BuiltinSet Program::UseOf(const CheckedSubgraph& subgraph, const BoundPort& boun
   } else if (auto* field = std::get_if<graph::FieldOfBuiltin>(&bound.source)) {
     use = 1u << field->input;
   } else if (auto* block = std::get_if<graph::FieldOfBlock>(&bound.source)) {
-    use = UsedByDefault(bound, *block);
+    use = UsedByDefault(bound, graph.default_blocks[block->block]);
   } else {
     return 0;
   }

@@ -140,7 +140,7 @@ ValueId Scope::BodyOfFunction(const BoundPort& bound, const graph::FieldOfFuncti
   return CallGraphFunction(source.function, std::move(arguments), asked)[source.output];
 }
 
-ValueId Scope::BodyOfBlock(const BoundPort& bound, const graph::FieldOfBlock& source) {
+ValueId Scope::BodyOfBlock(const BoundPort& bound, const graph::DefaultBlock& source) {
   std::vector<ir::ConstId> template_values;
   std::vector<ValueId> arguments;
   for (size_t i = 0; i < source.overload->inputs.size(); ++i) {
@@ -171,7 +171,7 @@ ValueId Scope::FieldBody(const BoundPort& bound) {
   } else if (auto* function = std::get_if<graph::FieldOfFunction>(&bound.source)) {
     value = BodyOfFunction(bound, *function);
   } else if (auto* block = std::get_if<graph::FieldOfBlock>(&bound.source)) {
-    value = BodyOfBlock(bound, *block);
+    value = BodyOfBlock(bound, program_.graph.default_blocks[block->block]);
   } else if (auto* node = std::get_if<graph::FieldOfNode>(&bound.source)) {
     value = Output(node->source);
   } else if (auto* parameter = std::get_if<graph::FieldOfParameter>(&bound.source)) {
@@ -262,8 +262,10 @@ void Scope::EmitBlock(const CheckedNode& node, uint32_t index) {
       continue;
     }
     if (auto* asked = std::get_if<graph::AskedValue>(&node.inputs[i].source)) {
-      arguments.push_back(
-          AskedAt(node.inputs[*port.asked_at], {0, port.name, port.type, asked->otherwise}));
+      const bool may_be_asked = prototype_ || asks_;
+      arguments.push_back(may_be_asked ? AskedAt(node.inputs[*port.asked_at],
+                                                 {0, port.name, port.type, asked->otherwise})
+                                       : builder_.Const(asked->otherwise));
       continue;
     }
     arguments.push_back(Value(node.inputs[i], &port));

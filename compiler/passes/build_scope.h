@@ -154,7 +154,7 @@ class Scope {
   void EmitGraphFunction(const CheckedNode& node, uint32_t index);
   void AddOutput(const CheckedNode& node, uint32_t index, uint32_t output, ValueId value);
   ValueId BodyOfFunction(const BoundPort& bound, const graph::FieldOfFunction& source);
-  ValueId BodyOfBlock(const BoundPort& bound, const graph::FieldOfBlock& source);
+  ValueId BodyOfBlock(const BoundPort& bound, const graph::DefaultBlock& source);
   // The prototype's parameter of that name, else the default.
   ValueId OfPrototype(const AskedParameter& asked);
   // The same, if `coordinate` is the very one that the function port asks at.

@@ -72,7 +72,7 @@ std::string FieldKey(const CheckedSubgraph& subgraph, const BoundPort& bound,
   } else if (auto* parameter = std::get_if<graph::FieldOfParameter>(&bound.source)) {
     key += fmt::format(" {}", parameter->parameter);
   } else if (auto* block = std::get_if<graph::FieldOfBlock>(&bound.source)) {
-    key += fmt::format(" {}", static_cast<const void*>(block->overload));
+    key += fmt::format(" {}", block->block);
   } else if (auto* builtin = std::get_if<graph::FieldOfBuiltin>(&bound.source)) {
     key += fmt::format(" {}", builtin->input);
   } else if (auto* input = std::get_if<graph::FieldOfFunctionInput>(&bound.source)) {
@@ -96,7 +96,7 @@ std::string FieldName(const CheckedGraph& graph, const CheckedSubgraph& subgraph
     return std::string(graph.functions[function->function].subgraph->name) + "_at";
   }
   if (auto* block = std::get_if<graph::FieldOfBlock>(&bound.source)) {
-    return block->block->name + "_at";
+    return graph.default_blocks[block->block].block->name + "_at";
   }
   return port.name + "_at";
 }

@@ -241,7 +241,8 @@ std::string CheckText::SourceText(const CheckedSubgraph& subgraph, const BoundPo
     return text + ")";
   }
   if (auto* from = std::get_if<FieldOfBlock>(&source)) {
-    std::string text = fmt::format("field block {}(", from->block->name);
+    std::string text =
+        fmt::format("field block {}(", checked->default_blocks[from->block].block->name);
     for (const auto& p : port.by_parameter) text += p ? fmt::format("{}", *p) : "-";
     return text + ")";
   }
