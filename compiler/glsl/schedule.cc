@@ -63,7 +63,7 @@ bool Schedule::ContinuesElse(ValueId v, RegionId region) const {
 bool Schedule::EndsLoop(ValueId v, RegionId region) const {
   ValueId loop = frames_.back().owner;
   if (!loop || function_[loop].op != Op::kFor || !forms_.HasOneStatement(region)) return false;
-  return ir::LoopEnd(function_, function_.loops[function_[loop].aux]) == v;
+  return ir::EndingIf(function_, function_.loops[function_[loop].aux]) == v;
 }
 
 void Schedule::Enter(ValueId v, RegionId region) {
@@ -83,11 +83,10 @@ void Schedule::Enter(ValueId v, RegionId region) {
   IfStyle& style = styles_[inst.aux];
   if (ContinuesElse(v, region)) {
     style = IfStyle::kBoth;
-  } else if (IsIdle(v, branch.else_region) && EndsLoop(v, region)) {
-    style = IfStyle::kLoopCondition;
-    conditions_[region.index] = v;
   } else if (IsIdle(v, branch.else_region)) {
-    style = IfStyle::kThenOnly;
+    const bool ends_loop = EndsLoop(v, region);
+    style = ends_loop ? IfStyle::kLoopCondition : IfStyle::kThenOnly;
+    if (ends_loop) conditions_[region.index] = v;
   } else if (IsIdle(v, branch.then_region)) {
     style = IfStyle::kElseOnly;
   }

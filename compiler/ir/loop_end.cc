@@ -25,7 +25,7 @@ bool DependsOnCarriedOnly(const Function& function, const Region& body, ValueId 
 
 }  // namespace
 
-ValueId LoopEnd(const Function& function, const ForLoop& loop) {
+ValueId EndingIf(const Function& function, const ForLoop& loop) {
   const Region& body = function.regions[loop.body.index];
   ValueId branch;
   for (ValueId v : body.body) {
@@ -51,7 +51,7 @@ ValueId LoopEnd(const Function& function, const ForLoop& loop) {
 }
 
 uint32_t TypicalRounds(const Function& function, const ForLoop& loop) {
-  return LoopEnd(function, loop) ? std::min(loop.Trips(), kRoundsOfEnding) : loop.Trips();
+  return EndingIf(function, loop) ? std::min(loop.Trips(), kRoundsOfEnding) : loop.Trips();
 }
 
 }  // namespace texgraph::ir

@@ -10,7 +10,7 @@
 namespace texgraph::ir {
 
 // The if of such a loop; invalid if the loop runs all its rounds.
-ValueId LoopEnd(const Function& function, const ForLoop& loop);
+ValueId EndingIf(const Function& function, const ForLoop& loop);
 
 // How often the body runs, as a rule: a loop that ends early is counted as two rounds.
 uint32_t TypicalRounds(const Function& function, const ForLoop& loop);

@@ -12,6 +12,7 @@
 
 #include "tests/blocks/bombing3_reference.h"
 #include "tests/blocks/run_block.h"
+#include "tests/blocks/scattered_points.h"
 
 namespace texgraph::blocks {
 namespace {
@@ -52,15 +53,6 @@ std::map<std::string, Values> Draw(const std::string& ports, const std::vector<P
   return RunGraph(text, points, {pixel, pixel}, 2e-3);
 }
 
-std::vector<Point> Scatter(int count) {
-  std::vector<Point> points;
-  for (int i = 0; i < count; ++i) {
-    points.push_back({std::fmod(0.1234 + 0.7548776662 * i, 1) * 3 - 1.5,
-                      std::fmod(0.5678 + 0.5698402910 * i, 1) * 3 - 1.5});
-  }
-  return points;
-}
-
 // Which of two copies is in front; the first of the two comes after the second in its order.
 using IsAbove = std::function<bool(const Body& later, const Body& earlier)>;
 
@@ -89,7 +81,7 @@ bool HasClearNormal(const Body& body) {
 }
 
 void ExpectTopmost(const std::string& ports, const Space& space, const IsAbove& is_above) {
-  const std::vector<Point> points = Scatter(400);
+  const std::vector<Point> points = ScatteredPoints(400, -1.5, 1.5);
   auto outputs = Draw(ports, points);
   ASSERT_EQ(outputs.size(), 3u);
   int clear = 0, covered = 0, contested = 0;
@@ -172,7 +164,7 @@ TEST(Bomb3Test, OrdersByKeyOrNearnessOrRows) {
 // Half of the light goes through each copy: the topmost has half of what is seen, the next a
 // quarter.
 TEST(Bomb3Test, CompositesFromTheTopmostDown) {
-  const std::vector<Point> points = Scatter(300);
+  const std::vector<Point> points = ScatteredPoints(300, -1.5, 1.5);
   auto outputs = Draw(R"(, "coverage": 0.5, "size": 1.5, "shape": "ball")", points);
   ASSERT_EQ(outputs.size(), 3u);
   size_t deepest = 0;
@@ -220,7 +212,7 @@ TEST(Bomb3Test, AsksTheKeyOfEachCopy) {
       "bomb": {"block": "bomb3",
       "in": {"image": "where", "uv": "place", "key": "height", "meet": "key", "size": 1.2, "tumble": true}}},
     "outputs": {"color": "bomb.color"}})";
-  const std::vector<Point> points = Scatter(250);
+  const std::vector<Point> points = ScatteredPoints(250, -1.5, 1.5);
   auto outputs = RunGraph(text, points, {1e-5, 1e-5}, 2e-3);
   ASSERT_EQ(outputs.size(), 1u);
   int contested = 0;
@@ -336,8 +328,8 @@ TEST(Bomb3Test, NothingIsClipped) {
       {R"(, "size": [1.1, 1.15], "tumble": true, "meet": "max", "seed": 4)", 3},
       {R"(, "size": 1.5, "meet": "rows", "wander": true, "phase": 17.3)", 3},
   };
-  std::vector<Point> points = Scatter(600);
-  for (Point p : Scatter(100)) points.push_back({p.x * 1e-4, p.y * 1e-4 + 0.5});
+  std::vector<Point> points = ScatteredPoints(600, -1.5, 1.5);
+  for (Point p : ScatteredPoints(100, -1.5, 1.5)) points.push_back({p.x * 1e-4, p.y * 1e-4 + 0.5});
   for (const Case& c : cases) {
     auto with = [&](int cells) {
       const std::string n = std::to_string(cells);

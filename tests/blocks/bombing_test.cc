@@ -11,6 +11,7 @@
 
 #include "tests/blocks/bombing_reference.h"
 #include "tests/blocks/run_block.h"
+#include "tests/blocks/scattered_points.h"
 
 namespace texgraph::blocks {
 namespace {
@@ -39,20 +40,11 @@ std::map<std::string, Values> Draw(const std::string& ports, const std::vector<P
   return RunGraph(text, points, {pixel, pixel}, 1e-3);
 }
 
-std::vector<Point> Scatter(int count) {
-  std::vector<Point> points;
-  for (int i = 0; i < count; ++i) {
-    points.push_back({std::fmod(0.1234 + 0.7548776662 * i, 1) * 3 - 1.5,
-                      std::fmod(0.5678 + 0.5698402910 * i, 1) * 3 - 1.5});
-  }
-  return points;
-}
-
 // Which of two copies is on top; the first of the two comes before the second in its order.
 using IsAbove = std::function<bool(const Copy& later, const Copy& earlier)>;
 
 void ExpectTopmost(const std::string& ports, const Plane& plane, const IsAbove& is_above) {
-  const std::vector<Point> points = Scatter(700);
+  const std::vector<Point> points = ScatteredPoints(700, -1.5, 1.5);
   auto outputs = Draw(ports, points);
   ASSERT_EQ(outputs.size(), 2u);
   int clear = 0, covered = 0, contested = 0;
@@ -123,7 +115,7 @@ TEST(BombTest, AsksTheKeyOfEachCopy) {
     "nodes": {"bomb": {"block": "bomb",
       "in": {"image": "where", "key": "height", "meet": "key", "size": 1.5}}},
     "outputs": {"color": "bomb.color"}})";
-  const std::vector<Point> points = Scatter(500);
+  const std::vector<Point> points = ScatteredPoints(500, -1.5, 1.5);
   auto outputs = RunGraph(text, points, {1e-5, 1e-5}, 1e-3);
   ASSERT_EQ(outputs.size(), 1u);
   for (size_t i = 0; i < points.size(); ++i) {
@@ -190,8 +182,8 @@ TEST(BombTest, NothingIsClipped) {
       {R"(, "size": [1.3, 1.4], "meet": "max", "seed": 4)", 3},
       {R"(, "size": 1.5, "meet": "rows", "wander": true, "phase": 17.3)", 3},
   };
-  std::vector<Point> points = Scatter(1500);
-  for (Point p : Scatter(300)) points.push_back({p.x * 1e-4, p.y * 1e-4});
+  std::vector<Point> points = ScatteredPoints(1500, -1.5, 1.5);
+  for (Point p : ScatteredPoints(300, -1.5, 1.5)) points.push_back({p.x * 1e-4, p.y * 1e-4});
   for (const Case& c : cases) {
     auto with = [&](int cells) {
       const std::string number = std::to_string(cells);

@@ -7,20 +7,12 @@
 #include <numbers>
 
 #include "tests/blocks/run_block.h"
+#include "tests/blocks/scattered_points.h"
 
 namespace texgraph::blocks {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
-
-std::vector<Point> Scatter(int count) {
-  std::vector<Point> points;
-  for (int i = 0; i < count; ++i) {
-    points.push_back(
-        {std::fmod(0.1234 + 0.7548776662 * i, 1), std::fmod(0.5678 + 0.569840291 * i, 1)});
-  }
-  return points;
-}
 
 // `nodes` and the node "n" with the height that is asked for.
 Values RunNode(const std::string& nodes, const std::vector<Point>& points, Point pixel,
@@ -46,7 +38,7 @@ double StripesMean(double middle, double width) {
 }
 
 TEST(FiltersTest, WidenIsThePlaceWithAnotherPixel) {
-  std::vector<Point> points = Scatter(40);
+  std::vector<Point> points = ScatteredPoints(40);
   for (Point pixel : {Point{0.001, 0.001}, {0.2, 0.003}}) {
     Values seen = RunNode(R"("w": {"block": "widen", "in": {"width": [0.11, 0.04]}},
         "k": {"block": "checker", "in": {"uv": "w", "scale": [3, 7]}},
@@ -75,7 +67,7 @@ TEST(FiltersTest, WidenIsThePlaceWithAnotherPixel) {
 
 // Binomial weights and boxes that touch are a known curve: the mean of the stripes over each box.
 TEST(FiltersTest, BlurIsASumOfBoxes) {
-  std::vector<Point> points = Scatter(40);
+  std::vector<Point> points = ScatteredPoints(40);
   const double radius = 0.07, pixel = 0.01;
   for (int taps : {1, 2, 3, 5}) {
     Values seen = RunNode(kStripes + R"(, "n": {"block": "blur", "in": {"image": "stripes",
@@ -117,7 +109,7 @@ double FarthestFromNormal(int taps) {
 // An edge becomes the distribution of the weights, so it differs from the Gaussian's no more than
 // both distributions do. At a stripe two edges may add up.
 TEST(FiltersTest, BlurComesToTheGaussian) {
-  std::vector<Point> points = Scatter(100);
+  std::vector<Point> points = ScatteredPoints(100);
   EXPECT_LT(FarthestFromNormal(3), 0.032);
   EXPECT_LT(FarthestFromNormal(5), 0.02);
   auto gaussian = [](double x, double radius) {
@@ -158,7 +150,7 @@ TEST(FiltersTest, BlurAndPixelateWeighColoursByAlpha) {
 }
 
 TEST(FiltersTest, PixelateShowsMeansOfSquares) {
-  std::vector<Point> points = Scatter(60);
+  std::vector<Point> points = ScatteredPoints(60);
   for (double pixel : {0.001, 0.05, 0.3}) {
     Values seen = RunNode(
         kStripes + R"(, "n": {"block": "pixelate", "in": {"image": "stripes", "scale": [9, 5]}})",
@@ -186,7 +178,7 @@ const std::string kBowl = R"(
     "bowl": {"block": "add", "in": {"a": "sum", "b": "rise"}})";
 
 TEST(FiltersTest, HeightToNormalHasTheSlope) {
-  std::vector<Point> points = Scatter(30);
+  std::vector<Point> points = ScatteredPoints(30);
   for (double pixel : {1e-6, 0.02, 0.3}) {
     Values seen = RunNode(kBowl + R"(, "n": {"block": "height_to_normal", "in": {"height": "bowl",
         "strength": 1.5}})",
@@ -205,7 +197,7 @@ TEST(FiltersTest, HeightToNormalHasTheSlope) {
 TEST(FiltersTest, HeightToNormalIsFlatFromFarAway) {
   Values seen = RunNode(R"("noise": {"block": "value_noise", "in": {"scale": 300}},
       "n": {"block": "height_to_normal", "in": {"height": "noise", "strength": 10}})",
-                        Scatter(20), {0.02, 0.02}, "normal");
+                        ScatteredPoints(20), {0.02, 0.02}, "normal");
   for (size_t i = 0; i < 20; ++i) EXPECT_NEAR(seen.Float(i, 2), 1, 1e-6);
 }
 
@@ -215,7 +207,7 @@ TEST(FiltersTest, WarpsLookElsewhere) {
   const std::string image = kBowl + R"(,
       "ramp": {"block": "gradient_linear", "in": {"start": [-4, 0], "end": [4, 3]}})";
   auto at = [](double x, double y) { return ((x + 4) * 8 + y * 3) / 73; };
-  std::vector<Point> points = Scatter(30);
+  std::vector<Point> points = ScatteredPoints(30);
   Values slopes =
       RunNode(image + R"(, "n": {"block": "warp", "in": {"image": "ramp", "height": "bowl",
           "amount": 0.2}})",
@@ -241,7 +233,7 @@ TEST(FiltersTest, WarpsLookElsewhere) {
 
 // Where a warp stretches the coordinate eleven times, a pixel holds eleven times as much.
 TEST(FiltersTest, WarpsAreFilteredForTheirStretch) {
-  std::vector<Point> points = Scatter(30);
+  std::vector<Point> points = ScatteredPoints(30);
   const double pixel = 0.003;
   Values seen = RunNode(kStripes + R"(, "d": {"block": "combine2", "in": {"x": "c.x", "y": 0}},
           "n": {"block": "vector_warp", "in": {"image": "stripes", "displacement": "d",

@@ -9,6 +9,7 @@
 
 #include "tests/blocks/noise_reference.h"
 #include "tests/blocks/run_block.h"
+#include "tests/blocks/scattered_points.h"
 
 namespace texgraph::blocks {
 namespace {
@@ -17,17 +18,6 @@ using reference::Mix;
 using reference::Noise;
 using reference::NoiseAt;
 using reference::Place;
-
-// Points all over [-2, 3]^2.
-std::vector<Point> Scatter(int count) {
-  std::vector<Point> points;
-  for (int i = 0; i < count; ++i) {
-    double x = std::fmod(0.1234 + 0.7548776662 * i, 1);
-    double y = std::fmod(0.5678 + 0.5698402910 * i, 1);
-    points.push_back({5 * x - 2, 5 * y - 2});
-  }
-  return points;
-}
 
 // One output of a graph with these nodes.
 Values RunNodes(const std::string& nodes, const std::string& output,
@@ -103,7 +93,7 @@ class FractalTest : public testing::TestWithParam<Case> {
 };
 
 TEST_P(FractalTest, IsTheSumOfItsOctaves) {
-  const std::vector<Point> points = Scatter(300);
+  const std::vector<Point> points = ScatteredPoints(300, -2, 3);
   for (double gain : {0.6, 1.0}) {
     Settings settings;
     settings.gain = gain;
@@ -117,7 +107,7 @@ TEST_P(FractalTest, IsTheSumOfItsOctaves) {
 }
 
 TEST_P(FractalTest, InSpaceLikewise) {
-  const std::vector<Point> points = Scatter(200);
+  const std::vector<Point> points = ScatteredPoints(200, -2, 3);
   const Values seen = RunNodes(kSpace + Node({}, "perlin") + R"(, "uv": "p"}})", R"("height": "f")",
                                points, 1e-5, 2e-3);
   for (size_t i = 0; i < points.size(); ++i) {
@@ -129,7 +119,7 @@ TEST_P(FractalTest, InSpaceLikewise) {
 // all there is.
 void ExpectMeanAtAllSizes(Kind kind, const std::string& noise, const std::string& node,
                           const Settings& settings) {
-  const std::vector<Point> points = Scatter(4000);
+  const std::vector<Point> points = ScatteredPoints(4000, -2, 3);
   // Of independent octaves, the mean of the product is the product of the means.
   const double fold = kind == Kind::kFbm ? 0.5 : kind == Kind::kRidged ? 0.571 : 0.269;
   const bool follows = kind == Kind::kBillow || kind == Kind::kRidged;
@@ -248,7 +238,7 @@ TEST(FbmTest, FadesItsOctavesOnce) {
           "n": {"block": "noise", "in": {"place": "p"}})",
        "n", 8},
   };
-  const std::vector<Point> points = Scatter(200);
+  const std::vector<Point> points = ScatteredPoints(200, -2, 3);
   for (const auto& wanted : kCases) {
     // Of the third octave, three quarters of which are left, the cells are 1.6 pixels large; if the
     // noise has 8 cells where the fractal has one, these are those of the noise.
@@ -269,7 +259,7 @@ TEST(FbmTest, FadesItsOctavesOnce) {
 
 // Where a function port within asks at places of its own, these are no octave's.
 TEST(FbmTest, OtherPortsBeginAnew) {
-  const std::vector<Point> points = Scatter(200);
+  const std::vector<Point> points = ScatteredPoints(200, -2, 3);
   const double pixel = 1 / (16 * 1.6);
   const std::string one = R"("n": {"block": "gradient_noise", "in": {"scale": 1, "seed": 5}},)";
   const std::string scaled = R"("n": {"block": "gradient_noise", "in": {"scale": 8, "seed": 5}},)";
@@ -287,7 +277,7 @@ TEST(FbmTest, OtherPortsBeginAnew) {
 
 // Without a noise, fractals have "unit_noise", in as many dimensions as their coordinate.
 TEST_P(FractalTest, NeedsNoNoise) {
-  const std::vector<Point> points = Scatter(100);
+  const std::vector<Point> points = ScatteredPoints(100, -2, 3);
   const Kind kind = GetParam().kind;
   const std::string block = GetParam().block;
   const Settings settings{3, 4, 2.5, 0.6, 0.8};
@@ -335,7 +325,7 @@ TEST(FbmTest, TellsTheOctave) {
 TEST(FbmTest, OfATileIsATile) {
   const std::string nodes = R"("n": {"block": "value_noise", "in": {"scale": 1, "period": [4, 8]}},
       "f": {"block": "fbm", "in": {"noise": "n", "scale": [4, 8], "octaves": 3}})";
-  std::vector<Point> here = Scatter(200), there = here;
+  std::vector<Point> here = ScatteredPoints(200, -2, 3), there = here;
   for (size_t i = 0; i < here.size(); ++i) {
     here[i] = {std::round(here[i].x * 64) / 64, std::round(here[i].y * 64) / 64};
     there[i] = {here[i].x + 2, here[i].y - 1};
@@ -346,7 +336,7 @@ TEST(FbmTest, OfATileIsATile) {
 }
 
 TEST(DomainWarpTest, MovesBothDirectionsByNoisesOfTheirOwn) {
-  const std::vector<Point> points = Scatter(200);
+  const std::vector<Point> points = ScatteredPoints(200, -2, 3);
   const Values seen = RunNodes(std::string(kPerlin) + R"("w": {"block": "domain_warp", "in":
           {"noise": "n", "amount": [0.3, 0.2], "steps": 2}},
           "parts": {"block": "components", "in": {"vector": "w"}},
@@ -366,7 +356,7 @@ TEST(DomainWarpTest, MovesBothDirectionsByNoisesOfTheirOwn) {
 
 // Around the height sin x sin y the flow is (sin x cos y, -cos x sin y).
 TEST(CurlTest, TurnsTheSlope) {
-  const std::vector<Point> points = Scatter(100);
+  const std::vector<Point> points = ScatteredPoints(100, -2, 3);
   const std::string nodes = R"("parts": {"block": "components", "in": {"vector": "uv"}},
       "sx": {"block": "sine", "in": {"angle": "parts.x"}},
       "sy": {"block": "sine", "in": {"angle": "parts.y"}},
@@ -383,7 +373,7 @@ TEST(CurlTest, TurnsTheSlope) {
 
 // Of the potential (sin y, sin z, sin x) the flow is (-cos z, -cos x, -cos y).
 TEST(CurlTest, InSpace) {
-  const std::vector<Point> points = Scatter(100);
+  const std::vector<Point> points = ScatteredPoints(100, -2, 3);
   const std::string nodes = R"("parts": {"block": "components", "in": {"vector": "uv"}},
       "p": {"block": "combine3", "in": {"x": "parts.x", "y": "parts.y", "z": 0.3}},
       "v": {"block": "curl3", "in": {"potential": "potential", "uv": "p"}})";

@@ -11,6 +11,7 @@
 #include "tests/blocks/layer_reference.h"
 #include "tests/blocks/reference.h"
 #include "tests/blocks/run_block.h"
+#include "tests/blocks/scattered_points.h"
 
 namespace texgraph::blocks {
 namespace {
@@ -76,15 +77,6 @@ std::vector<Seen> RunLayer(const std::string& grid, const std::string& parent,
   return seen;
 }
 
-std::vector<Point> Scatter(int count) {
-  std::vector<Point> points;
-  for (int i = 0; i < count; ++i) {
-    points.push_back(
-        {std::fmod(0.1234 + 0.7548776662 * i, 1), std::fmod(0.5678 + 0.5698402910 * i, 1)});
-  }
-  return points;
-}
-
 constexpr int kRows = 6, kColumns = 3;
 const char* const kGrid = R"({"rows": 6, "columns": 3, "row_offset": 0})";
 
@@ -105,7 +97,7 @@ const char* const kChild =
     R"(, "position_min": [0.1, 0.2], "position_max": [0.9, 0.7], "scale": [0.3, 0.6], "rotation": [-180, 180], "fit": "contain", "stream": 3)";
 
 void ExpectAsTheReferenceSays(const std::string& parent_ports, const Limits& parent_limits) {
-  std::vector<Point> points = Scatter(600);
+  std::vector<Point> points = ScatteredPoints(600);
   std::vector<Seen> parents = RunLayer(kGrid, parent_ports, "", points);
   std::vector<Seen> children = RunLayer(kGrid, parent_ports, kChild, points);
   for (size_t i = 0; i < points.size(); ++i) {
@@ -176,7 +168,7 @@ TEST(LayerTest, StretchedElementsAreWhereTheReferenceSays) {
 
 // Within the element the image is turned and mirrored by the bits of the layer's seed.
 TEST(LayerTest, TurnsAndFlips) {
-  std::vector<Point> points = Scatter(500);
+  std::vector<Point> points = ScatteredPoints(500);
   std::vector<Seen> plain = RunLayer(kGrid, kParent, "", points);
   struct Mode {
     const char* ports;
@@ -215,7 +207,7 @@ TEST(LayerTest, TurnsAndFlips) {
 // A child in a frame that follows one thing of its parent lies as in a parent that does nothing
 // else.
 TEST(LayerTest, ChildrenFollowOneThingOfTheirParents) {
-  std::vector<Point> points = Scatter(400);
+  std::vector<Point> points = ScatteredPoints(400);
   auto run = [&](const std::string& parent, const char* inner) {
     auto outputs = RunGraph(GraphOf(kGrid, parent, kChild, inner), points, {1e-4, 1e-4}, 1e-3);
     std::vector<Point> where;
@@ -245,7 +237,7 @@ TEST(LayerTest, ChildrenFollowOneThingOfTheirParents) {
 // Distances in the image, in texture space, are distances on the surface: a turned brick does not
 // shear. Without a reference.
 TEST(LayerTest, IsRigidInTextureSpace) {
-  std::vector<Point> points = Scatter(400);
+  std::vector<Point> points = ScatteredPoints(400);
   std::vector<Point> moved = points;
   for (Point& p : moved) {
     p = {p.x + 0.003, p.y - 0.002};
@@ -274,7 +266,7 @@ TEST(LayerTest, IsRigidInTextureSpace) {
 // Where the child lies in its parent's image does not depend on how the parent was moved, turned
 // and scaled.
 TEST(LayerTest, ChildrenMoveWithTheirParents) {
-  std::vector<Point> points = Scatter(300);
+  std::vector<Point> points = ScatteredPoints(300);
   std::vector<std::string> parents = {
       R"(, "rotation": 0)",
       R"(, "rotation": 25, "position_min": [0.3, 0.6], "position_max": [0.3, 0.6], "scale": 0.8)",
@@ -313,7 +305,7 @@ TEST(LayerTest, SiblingsVaryIndependently) {
 
 // The edge of an element away from the border of its cell: the share of the pixel, exactly.
 TEST(LayerTest, EdgesAreTheShareOfThePixel) {
-  std::vector<Point> points = Scatter(2000);
+  std::vector<Point> points = ScatteredPoints(2000);
   for (double pixel : {0.002, 0.01}) {
     std::vector<Seen> seen = RunLayer(kGrid, R"(, "scale": 0.5)", "", points, pixel);
     for (size_t i = 0; i < points.size(); ++i) {
@@ -331,7 +323,7 @@ TEST(LayerTest, EdgesAreTheShareOfThePixel) {
 
 // Elements that fill their cells leave no seam, near or far.
 TEST(LayerTest, FullElementsHaveNoSeam) {
-  std::vector<Point> points = Scatter(1000);
+  std::vector<Point> points = ScatteredPoints(1000);
   for (int i = 0; i < 100; ++i) {
     points.push_back({i / 100.0, 0.5 / kRows});
     points.push_back({1.0 / kColumns + (i - 50) * 1e-5, 0.31});
@@ -345,7 +337,7 @@ TEST(LayerTest, FullElementsHaveNoSeam) {
 
 // From afar an element shows, on average, the share of the cell that it takes.
 TEST(LayerTest, FarAwayTheCoverageIsTheShareOfTheCell) {
-  std::vector<Point> points = Scatter(2000);
+  std::vector<Point> points = ScatteredPoints(2000);
   for (double scale : {0.3, 0.6, 0.9}) {
     double sum = 0;
     for (const Seen& seen :
@@ -386,7 +378,7 @@ TEST(LayerTest, OpacityAndChance) {
 
 // All there from the size on, gone at half of it, and between these without a jump.
 TEST(LayerTest, GoesToItsMeanFromFarAway) {
-  std::vector<Point> points = Scatter(50);
+  std::vector<Point> points = ScatteredPoints(50);
   const std::string fade = R"(, "scale": 0.8, "fade_size": 20, "far": [0.25, 0.5, 0.75, 0.6])";
   std::vector<Seen> before;
   // The shorter side of an element is 0.8 / 6 of the surface: it has 20 pixels of this size.
@@ -417,7 +409,7 @@ TEST(LayerTest, GoesToItsMeanFromFarAway) {
 // A function of the graph gets the element's own tile: what it draws from it is what the inner tile
 // says.
 TEST(LayerTest, ImagesKnowTheirElement) {
-  const std::vector<Point> points = Scatter(200);
+  const std::vector<Point> points = ScatteredPoints(200);
   auto outputs = RunGraph(R"({"texgraph": 1,
     "functions": {"mark": {"inputs": {"uv": "vec2", "tile": "Tile"}, "nodes": {
         "number": {"block": "tile_random", "in": {"tile": "tile", "stream": 5}},

@@ -15,18 +15,10 @@
 #include "compiler/compile.h"
 #include "tests/blocks/reference.h"
 #include "tests/blocks/run_block.h"
+#include "tests/blocks/scattered_points.h"
 
 namespace texgraph::blocks {
 namespace {
-
-std::vector<Point> Scatter(int count) {
-  std::vector<Point> points;
-  for (int i = 0; i < count; ++i) {
-    points.push_back(
-        {std::fmod(0.1234 + 0.7548776662 * i, 1), std::fmod(0.5678 + 0.5698402910 * i, 1)});
-  }
-  return points;
-}
 
 double Length(const Values& v, size_t i) {
   return std::hypot(v.Float(i, 0), v.Float(i, 1), v.Float(i, 2));
@@ -119,7 +111,7 @@ TEST(MaterialsTest, OverMixesAllChannelsByTheForegroundsShare) {
         "background": "back", "opacity": 0.5, "mask": 0.9, "relief": ")" +
             (add ? "add" : "replace") +
             R"("}}, "parts": {"block": "material_parts", "in": {"surface": "both"}}},)" + kOutputs,
-        Scatter(4), {0.01, 0.01});
+        ScatteredPoints(4), {0.01, 0.01});
     ASSERT_EQ(out.size(), 6u);
     // Porter and Duff, with premultiplied colours.
     double cover = 0.8 * 0.5 * 0.9, alpha = cover + 0.9 * (1 - cover), share = cover / alpha;
@@ -173,7 +165,7 @@ void ExpectDents(const std::string& nodes, size_t at_least) {
         "opacity": "parts.opacity"}})";
   std::vector<Point> points;
   constexpr double kX = 0.013, kY = -0.008;
-  for (Point p : Scatter(120)) {
+  for (Point p : ScatteredPoints(120)) {
     points.push_back(p);
     points.push_back({p.x + kX, p.y + kY});
   }
@@ -289,7 +281,7 @@ TEST(MaterialLayerTest, AllChannelsAreCompositedByOneShare) {
     "outputs": {"color": "parts.color", "emission": "one_rgb", "opacity": "one_alpha",
       "roughness": "parts.roughness", "metallic": "parts.metallic", "height": "parts.height"}})";
     const double pixel = *fade == '\0' ? 1e-4 : 0.018;
-    auto out = RunGraph(text, Scatter(100), {pixel, pixel}, 1e-3);
+    auto out = RunGraph(text, ScatteredPoints(100), {pixel, pixel}, 1e-3);
     ASSERT_EQ(out.size(), 6u);
     const Values& color = out["color"];
     int mixed = 0;

@@ -12,6 +12,7 @@
 #include "tests/blocks/layer_reference.h"
 #include "tests/blocks/reference.h"
 #include "tests/blocks/run_block.h"
+#include "tests/blocks/scattered_points.h"
 
 namespace texgraph::blocks {
 namespace {
@@ -54,15 +55,6 @@ Seen Topmost(Point p, const std::function<Frame(const Frame&)>& element_in) {
     }
   }
   return seen;
-}
-
-std::vector<Point> Scatter(int count) {
-  std::vector<Point> points;
-  for (int i = 0; i < count; ++i) {
-    points.push_back({std::fmod(0.1234 + 0.7548776662 * i, 1) * 2 - 1,
-                      std::fmod(0.5678 + 0.5698402910 * i, 1) * 2 - 1});
-  }
-  return points;
 }
 
 // One layer, or a parent and a child; the image paints its own coordinate.
@@ -112,14 +104,14 @@ const char* const kChildPorts =
     R"(, "position_min": [0.1, 0.2], "position_max": [0.9, 0.7], "scale": [0.3, 0.5], "rotation": [-180, 180], "fit": "contain", "stream": 3)";
 
 TEST(OverlapTest, ElementsLieOnEachOtherInOrder) {
-  const std::vector<Point> points = Scatter(800);
+  const std::vector<Point> points = ScatteredPoints(800, -1, 1);
   ExpectTopmost(
       Draw(kWidePorts, "", points), points, [](const Frame& tile) { return PlaceIn(tile, kWide); },
       1e-3);
 }
 
 TEST(OverlapTest, ChildrenGoOverTheBorderWithTheirParents) {
-  const std::vector<Point> points = Scatter(500);
+  const std::vector<Point> points = ScatteredPoints(500, -1, 1);
   // Parents that stay near their tiles; their children still leave them.
   const Limits near = {{0.3, 0.3}, {0.7, 0.7}, 0.8, 1.0, -20, 20, false, 0};
   const char* const ports =
@@ -132,7 +124,7 @@ TEST(OverlapTest, ChildrenGoOverTheBorderWithTheirParents) {
 // A child whose chance is its parent's presence is there when the parent is, whoever's tile it is
 // in.
 TEST(OverlapTest, ChildrenCanBeLeftOutWithTheirParents) {
-  const std::vector<Point> points = Scatter(600);
+  const std::vector<Point> points = ScatteredPoints(600, -1, 1);
   auto outputs = RunGraph(R"({"texgraph": 1, "nodes": {
       "grid": {"block": "brick_grid", "in": {"rows": 6, "columns": 3, "seed": 7}},
       "parent": {"block": "layer", "in": {"tile": "grid", "image": [1, 1, 1, 1], "chance": 0.4,
@@ -161,7 +153,7 @@ TEST(OverlapTest, ChildrenCanBeLeftOutWithTheirParents) {
 
 // What varies by tile is asked of each tile that is looked at.
 TEST(OverlapTest, OtherPortsAreThoseOfTheElementsTile) {
-  const std::vector<Point> points = Scatter(400);
+  const std::vector<Point> points = ScatteredPoints(400, -1, 1);
   auto outputs = RunGraph(R"({"texgraph": 1,
     "nodes": {"grid": {"block": "brick_grid", "in": {"rows": 6, "columns": 3, "seed": 7}},
       "tone": {"block": "tile_random", "in": {"tile": "grid", "stream": 4}},
@@ -189,7 +181,7 @@ TEST(OverlapTest, OtherPortsAreThoseOfTheElementsTile) {
 
 // On grids of bricks of several lengths, against what the grid itself says of tiles farther around.
 TEST(OverlapTest, TilesOfAllLengthsAreFound) {
-  const std::vector<Point> points = Scatter(300);
+  const std::vector<Point> points = ScatteredPoints(300, -1, 1);
   const char* const kRanges =
       R"("position_min": [-0.3, 0.1], "position_max": [1.2, 1.0], "scale": [0.3, 0.8], "rotation": [-40, 70])";
   for (
@@ -280,7 +272,7 @@ TEST(OverlapTest, NoAreaIsLost) {
 
 // O35: what leaves the unit square on one side comes in on the other.
 TEST(OverlapTest, ToroidalLayersRepeat) {
-  std::vector<Point> points = Scatter(300), next = points;
+  std::vector<Point> points = ScatteredPoints(300, -1, 1), next = points;
   for (Point& p : next) p = {p.x + 1, p.y - 2};
   const std::string text = R"({"texgraph": 1, "nodes": {
       "grid": {"block": "brick_grid", "in": {"rows": 6, "columns": 3, "toroidal": true}},
@@ -364,7 +356,7 @@ TEST(LayerNeighboursTest, AreThoseThatTheRangesNeed) {
 
 // `layer_element` alone, in one tile: the same as a layer that does not look around.
 TEST(LayerElementTest, IsWhatALayerDrawsInOneTile) {
-  const std::vector<Point> points = Scatter(200);
+  const std::vector<Point> points = ScatteredPoints(200, -1, 1);
   const std::string ports =
       R"("tile": "grid", "scale": [0.5, 0.9], "rotation": [-30, 30], "opacity": [0.5, 1])";
   auto outputs = RunGraph(R"({"texgraph": 1, "nodes": {

@@ -14,6 +14,7 @@
 
 #include "tests/blocks/reference.h"
 #include "tests/blocks/run_block.h"
+#include "tests/blocks/scattered_points.h"
 
 namespace texgraph::blocks {
 namespace {
@@ -135,17 +136,6 @@ Values RunShape(const std::string& block, const std::string& ports,
   return outputs.empty() ? Floats(std::vector<double>(points.size(), NAN)) : outputs["height"];
 }
 
-// Points all over [-0.25, 1.25]^2, far from whole multiples of anything.
-std::vector<Point> Scatter(int count) {
-  std::vector<Point> points;
-  for (int i = 0; i < count; ++i) {
-    double x = std::fmod(0.1234 + 0.7548776662 * i, 1);
-    double y = std::fmod(0.5678 + 0.5698402910 * i, 1);
-    points.push_back({1.5 * x - 0.25, 1.5 * y - 0.25});
-  }
-  return points;
-}
-
 // At the heights, and at the columns, of corners that are multiples of 1/8.
 std::vector<Point> Eighths() {
   std::vector<Point> points;
@@ -179,7 +169,7 @@ double Eighth(std::mt19937& random) { return static_cast<double>(random() % 9) /
 // promised then.
 TEST(PolygonTest, HasTheSignAndTheDistanceOfItsSides) {
   std::mt19937 random(7);
-  std::vector<Point> points = Scatter(150), eighths = Eighths();
+  std::vector<Point> points = ScatteredPoints(150, -0.25, 1.25), eighths = Eighths();
   points.insert(points.end(), eighths.begin(), eighths.end());
   for (int round = 0; round < 12; ++round) {
     Line corners;
@@ -192,7 +182,7 @@ TEST(PolygonTest, HasTheSignAndTheDistanceOfItsSides) {
 }
 
 TEST(PolygonTest, DefaultIsAnArrowHead) {
-  std::vector<Point> points = Scatter(200);
+  std::vector<Point> points = ScatteredPoints(200, -0.25, 1.25);
   ExpectSigned(RunShape("sdf_polygon", "", points), points,
                {Closed({{0.1, 0.1}, {0.5, 0.3}, {0.9, 0.1}, {0.5, 0.9}})}, "even_odd");
 }
@@ -203,14 +193,14 @@ TEST(PolygonTest, TakesAThousandCorners) {
     double radius = i % 2 == 0 ? 0.45 : 0.35, angle = 2 * pi * i / 1024;
     corners.push_back({0.5 + radius * std::cos(angle), 0.5 + radius * std::sin(angle)});
   }
-  std::vector<Point> points = Scatter(60);
+  std::vector<Point> points = ScatteredPoints(60, -0.25, 1.25);
   ExpectSigned(RunShape("sdf_polygon", "\"points\": " + Rows(corners), points), points,
                {Closed(corners)}, "even_odd");
 }
 
 TEST(PolylineTest, HasTheDistanceOfItsSegments) {
   Line corners{{0.1, 0.2}, {0.4, 0.9}, {0.4, 0.9}, {0.5, 0.1}, {0.9, 0.6}};
-  std::vector<Point> points = Scatter(300);
+  std::vector<Point> points = ScatteredPoints(300, -0.25, 1.25);
   for (double width : {0.0, 0.2}) {
     Values seen = RunShape(
         "sdf_polyline", fmt::format("\"points\": {}, \"width\": {}", Rows(corners), width), points);
@@ -228,7 +218,7 @@ const Path kLetter = {{0.125, 0, 0},    {0.625, 0, 0},   {1, 0, 1},        {1, 0
                       {0.375, 0.25, 2}, {0.75, 0.25, 1}, {0.375, 0.625, 0}};
 
 TEST(PathTest, HolesAreHoles) {
-  std::vector<Point> points = Scatter(300), eighths = Eighths();
+  std::vector<Point> points = ScatteredPoints(300, -0.25, 1.25), eighths = Eighths();
   points.insert(points.end(), eighths.begin(), eighths.end());
   Outline outline = Flatten(kLetter);
   ASSERT_EQ(outline.size(), 2u);
@@ -247,7 +237,7 @@ TEST(PathTest, HolesAreHoles) {
 // the ends, curves that are straight, go there and back or turn at the height of a point.
 TEST(PathTest, AnyContoursHaveTheirSignAndDistance) {
   std::mt19937 random(11);
-  std::vector<Point> points = Scatter(80), eighths = Eighths();
+  std::vector<Point> points = ScatteredPoints(80, -0.25, 1.25), eighths = Eighths();
   points.insert(points.end(), eighths.begin(), eighths.end());
   for (int round = 0; round < 24; ++round) {
     Path path;
@@ -265,7 +255,7 @@ TEST(PathTest, AnyContoursHaveTheirSignAndDistance) {
 TEST(PathTest, OpenContoursEndWhereTheyEnd) {
   Path path = {{0.1, 0.1, 0}, {0.5, 0.9, 1}, {0.9, 0.1, 1}, {0.9, 0.9, 0},
                {0.2, 0.8, 2}, {0.4, 0.9, 0}, {0.7, 0.7, 1}, {0.3, 0.6, 0}};
-  std::vector<Point> points = Scatter(300);
+  std::vector<Point> points = ScatteredPoints(300, -0.25, 1.25);
   Values seen = RunShape("sdf_path", "\"points\": " + Rows(path) + ", \"rule\": \"open\"", points);
   for (size_t i = 0; i < points.size(); ++i) {
     ASSERT_NEAR(seen.Float(i), Distance(Flatten(path, true), points[i]), kNear) << i;
@@ -275,7 +265,7 @@ TEST(PathTest, OpenContoursEndWhereTheyEnd) {
 TEST(PathTest, DefaultIsARoundShapeWithAHole) {
   Path path = {{0.1, 0.5, 0}, {0.1, 0.9, 1}, {0.9, 0.9, 1}, {0.9, 0.5, 0}, {0.9, 0.1, 1},
                {0.1, 0.1, 1}, {0.4, 0.4, 2}, {0.6, 0.4, 0}, {0.5, 0.7, 0}};
-  std::vector<Point> points = Scatter(300);
+  std::vector<Point> points = ScatteredPoints(300, -0.25, 1.25);
   ExpectSigned(RunShape("sdf_path", "", points), points, Flatten(path), "even_odd");
 }
 
@@ -287,7 +277,7 @@ TEST(PathTest, DefaultIsARoundShapeWithAHole) {
 void ExpectEdges(const std::string& block, const std::string& rows, const Outline& outline,
                  double stretch) {
   const double pixel = 0.02, step = 1e-4;
-  std::vector<Point> points = Scatter(2000), places;
+  std::vector<Point> points = ScatteredPoints(2000, -0.25, 1.25), places;
   for (Point p : points) places.push_back({p.x * stretch, p.y});
   std::string more = fmt::format(
       R"("place": {{"block": "multiply", "in": {{"a": "uv", "b": [{}, 1]}}}}, )", stretch);

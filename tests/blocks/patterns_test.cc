@@ -6,6 +6,7 @@
 
 #include "tests/blocks/reference.h"
 #include "tests/blocks/run_block.h"
+#include "tests/blocks/scattered_points.h"
 
 namespace texgraph::blocks {
 namespace {
@@ -13,17 +14,6 @@ namespace {
 using reference::Clamp;
 using reference::Mix;
 using reference::OverlapWithCells;
-
-// Points all over [-2, 3]^2, far from whole multiples of anything.
-std::vector<Point> Scatter(int count) {
-  std::vector<Point> points;
-  for (int i = 0; i < count; ++i) {
-    double x = std::fmod(0.1234 + 0.7548776662 * i, 1);
-    double y = std::fmod(0.5678 + 0.5698402910 * i, 1);
-    points.push_back({5 * x - 2, 5 * y - 2});
-  }
-  return points;
-}
 
 // A float output of one node, which stands alone in a graph.
 Values RunNode(const std::string& node, const std::vector<Point>& points, Point pixel) {
@@ -41,7 +31,7 @@ double SquareWaveMean(double low, double high) {
 
 TEST(CheckerTest, IsTheBoxIntegralAtEveryPixelSize) {
   for (double pixel : {0.0005, 0.01, 0.03, 0.1, 0.37, 2.3}) {
-    std::vector<Point> points = Scatter(200);
+    std::vector<Point> points = ScatteredPoints(200, -2, 3);
     Values seen =
         RunNode(R"({"block": "checker", "in": {"scale": [8, 5]}})", points, {pixel, pixel});
     for (size_t i = 0; i < points.size(); ++i) {
@@ -55,7 +45,7 @@ TEST(CheckerTest, IsTheBoxIntegralAtEveryPixelSize) {
 }
 
 TEST(CheckerTest, FarAwayItIsTheMean) {
-  std::vector<Point> points = Scatter(50);
+  std::vector<Point> points = ScatteredPoints(50, -2, 3);
   Values seen =
       RunNode(R"({"block": "checker", "in": {"scale": 64, "a": 0.2, "b": 0.6}})", points, {1, 1});
   for (size_t i = 0; i < points.size(); ++i) {
@@ -74,7 +64,7 @@ TEST(CheckerTest, TheSquareAtTheOriginHasTheFirstValue) {
 
 TEST(CheckerTest, AMirroredPatternIsFilteredAlike) {
   for (double pixel : {0.0005, 0.1, 2.3}) {
-    std::vector<Point> points = Scatter(100);
+    std::vector<Point> points = ScatteredPoints(100, -2, 3);
     Values seen =
         RunNode(R"({"block": "checker", "in": {"scale": [-8, 5]}})", points, {pixel, pixel});
     for (size_t i = 0; i < points.size(); ++i) {
@@ -112,7 +102,7 @@ double ValueNoise(double x, double y, uint32_t seed) {
 }
 
 TEST(ValueNoiseTest, InterpolatesHashesOfTheCorners) {
-  std::vector<Point> points = Scatter(500);
+  std::vector<Point> points = ScatteredPoints(500, -2, 3);
   Values seen = RunNode(R"({"block": "value_noise", "in": {"scale": [7, 11], "seed": 42}})", points,
                         {0.001, 0.001});
   for (size_t i = 0; i < points.size(); ++i) {
@@ -146,7 +136,7 @@ TEST(ValueNoiseTest, RangeMeanAndSlope) {
 }
 
 TEST(ValueNoiseTest, FadesToItsMean) {
-  std::vector<Point> points = Scatter(100);
+  std::vector<Point> points = ScatteredPoints(100, -2, 3);
   Values far = RunNode(R"({"block": "value_noise", "in": {"scale": 10}})", points, {0.1, 0.1});
   Values half = RunNode(R"({"block": "value_noise", "in": {"scale": 10}})", points, {0.075, 0.01});
   Values near = RunNode(R"({"block": "value_noise", "in": {"scale": 10}})", points, {0.05, 0.05});
@@ -159,7 +149,7 @@ TEST(ValueNoiseTest, FadesToItsMean) {
 }
 
 TEST(ValueNoiseTest, MirroredNoiseFadesAlike) {
-  std::vector<Point> points = Scatter(100);
+  std::vector<Point> points = ScatteredPoints(100, -2, 3);
   const char* node = R"({"block": "value_noise", "in": {"scale": [-10, 10]}})";
   Values far = RunNode(node, points, {0.1, 0.01});
   Values near = RunNode(node, points, {0.001, 0.001});
@@ -171,7 +161,7 @@ TEST(ValueNoiseTest, MirroredNoiseFadesAlike) {
 
 TEST(RectangleTest, IsTheShareOfThePixel) {
   for (double pixel : {0.001, 0.05, 0.48}) {
-    std::vector<Point> points = Scatter(300);
+    std::vector<Point> points = ScatteredPoints(300, -2, 3);
     Values seen =
         RunNode(R"({"block": "rectangle", "in": {"center": [0.4, 0.6], "size": [0.8, 0.3]}})",
                 points, {pixel, pixel});
@@ -187,7 +177,7 @@ TEST(RectangleTest, IsTheShareOfThePixel) {
 
 // Shapes in tiles that are smaller than a pixel: the mean of the unit square.
 TEST(ShapesTest, FromFarAwayTheyAreTheirShareOfTheUnitSquare) {
-  std::vector<Point> points = Scatter(50);
+  std::vector<Point> points = ScatteredPoints(50, -2, 3);
   for (double pixel : {1.0, 3.0, 100.0}) {
     Values rectangle =
         RunNode(R"({"block": "rectangle", "in": {"center": [0.4, 0.6], "size": [0.8, 0.3]}})",

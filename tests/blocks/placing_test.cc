@@ -10,20 +10,12 @@
 
 #include "tests/blocks/reference.h"
 #include "tests/blocks/run_block.h"
+#include "tests/blocks/scattered_points.h"
 
 namespace texgraph::blocks {
 namespace {
 
 using Cell = std::pair<int32_t, int32_t>;
-
-std::vector<Point> Scatter(int count, double size = 1) {
-  std::vector<Point> points;
-  for (int i = 0; i < count; ++i) {
-    points.push_back({size * std::fmod(0.1234 + 0.7548776662 * i, 1),
-                      size * std::fmod(0.5678 + 0.5698402910 * i, 1)});
-  }
-  return points;
-}
 
 // --- tile_transform ----------------------------------------------------------------------------
 
@@ -141,7 +133,7 @@ TEST(TileTransformTest, MovesAsFastFarAway) {
 
 // O11. The area that is covered is what the patterns take, n s^2, and nothing is counted twice.
 TEST(TileTransformTest, CoversItsArea) {
-  const std::vector<Point> points = Scatter(20000);
+  const std::vector<Point> points = ScatteredPoints(20000);
   for (const Pose& pose : kPoses) {
     auto outputs = RunGraph(Transformed(pose, "inside"), points, {0.002, 0.002});
     ASSERT_EQ(outputs.size(), 1u);
@@ -157,7 +149,7 @@ TEST(TileTransformTest, CoversItsArea) {
 // A pattern that fills its tile has no seam; from afar there is the mean, the one that is given as
 // well; no scale, no pattern.
 TEST(TileTransformTest, SeamsMeansAndNothing) {
-  std::vector<Point> points = Scatter(500);
+  std::vector<Point> points = ScatteredPoints(500);
   for (int i = -20; i < 20; ++i) points.push_back({0.25 + i * 1e-4, 0.3});
   auto all = [&](const std::string& graph, double pixel, double wanted) {
     auto outputs = RunGraph(graph, points, {pixel, pixel});
@@ -222,7 +214,7 @@ TEST(OverlapTest, IsTheSameAsAskingAllTiles) {
       "one": {"block": "rgba", "in": {"color": "tint", "alpha": "moved.coverage"}},
       "color": {"block": "overlap", "in": {"color": "one", "tile": "tiles"}}},
     "outputs": {"color": "color"}})";
-  const std::vector<Point> points = Scatter(3000);
+  const std::vector<Point> points = ScatteredPoints(3000);
   auto outputs = RunGraph(graph, points, {1e-5, 1e-5});
   ASSERT_EQ(outputs.size(), 1u);
   std::vector<Vector> middles;
@@ -333,7 +325,7 @@ std::map<std::string, Values> DrawSprites(const std::vector<Point>& points, doub
 }
 
 TEST(TextureSpritesTest, SpritesAreWhereTheListHasThem) {
-  const std::vector<Point> points = Scatter(4000);
+  const std::vector<Point> points = ScatteredPoints(4000);
   for (int layers : {1, 2, 3}) {
     auto outputs = DrawSprites(points, 1e-5, layers);
     ASSERT_EQ(outputs.size(), 3u);
@@ -365,7 +357,7 @@ TEST(TextureSpritesTest, SpritesAreWhereTheListHasThem) {
 
 // Near and far the sprites of a layer cover as much as they are many: four of 64 cells.
 TEST(ExplicitPositioningTest, CoversAsMuchAsThereAreSprites) {
-  const std::vector<Point> points = Scatter(40000);
+  const std::vector<Point> points = ScatteredPoints(40000);
   for (double pixel : {1e-4, 0.01, 0.03, 0.2, 1.0}) {
     auto outputs = DrawSprites(points, pixel, 1);
     ASSERT_EQ(outputs.size(), 3u);

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "tests/blocks/run_block.h"
+#include "tests/blocks/scattered_points.h"
 
 namespace texgraph::blocks {
 namespace {
@@ -36,11 +37,7 @@ ir::Texture Atlas(int columns, int rows, int side) {
 }
 
 std::vector<Point> Scatter(int count) {
-  std::vector<Point> points;
-  for (int i = 0; i < count; ++i) {
-    points.push_back(
-        {std::fmod(0.1234 + 0.7548776662 * i, 1), std::fmod(0.5678 + 0.5698402910 * i, 1)});
-  }
+  std::vector<Point> points = ScatteredPoints(count);
   // At borders of tiles.
   for (double p : {0.0, 0.25, 0.5, 0.75, 0.24999, 0.50001}) {
     points.push_back({p, 0.3});

@@ -10,6 +10,7 @@
 
 #include "tests/blocks/reference.h"
 #include "tests/blocks/run_block.h"
+#include "tests/blocks/scattered_points.h"
 
 namespace texgraph::blocks {
 namespace {
@@ -20,17 +21,6 @@ using Line = std::vector<Point>;  // of points, joined by segments
 
 constexpr int kArcSteps = 1000;
 constexpr double kNear = 1e-5;  // of the outline's sagittas and of float
-
-// Points all over [-0.5, 1.5]^2, far from whole multiples of anything.
-std::vector<Point> Scatter(int count) {
-  std::vector<Point> points;
-  for (int i = 0; i < count; ++i) {
-    double x = std::fmod(0.1234 + 0.7548776662 * i, 1);
-    double y = std::fmod(0.5678 + 0.5698402910 * i, 1);
-    points.push_back({2 * x - 0.5, 2 * y - 0.5});
-  }
-  return points;
-}
 
 double FromSegment(Point p, Point a, Point b) {
   double ex = b.x - a.x, ey = b.y - a.y, square = ex * ex + ey * ey;
@@ -90,7 +80,7 @@ Values RunShape(const std::string& block, std::vector<Argument> arguments,
 
 void ExpectDistances(const std::string& block, const std::vector<Argument>& arguments,
                      const std::function<double(Point)>& wanted, double tolerance = kNear) {
-  std::vector<Point> points = Scatter(400);
+  std::vector<Point> points = ScatteredPoints(400, -0.5, 1.5);
   Values seen = RunShape(block, arguments, points);
   for (size_t i = 0; i < points.size(); ++i) {
     ASSERT_NEAR(seen.Float(i), wanted(points[i]), tolerance)
@@ -398,7 +388,7 @@ TEST(ShapeTest, QuadraticCurveAtCentresOfCurvature) {
 struct Circles {
   Values a, b;   // distances at the points
   Line both[2];  // the outlines
-  std::vector<Point> points = Scatter(400);
+  std::vector<Point> points = ScatteredPoints(400, -0.5, 1.5);
 
   Circles() {
     both[0] = Arc({0.4, 0.5}, 0.3, 0, 360);
@@ -560,7 +550,7 @@ std::vector<ShapeNode> ShapeNodes() {
 
 TEST(ShapeSlopeTest, IsOneNearlyEverywhere) {
   for (const ShapeNode& shape : ShapeNodes()) {
-    std::vector<Point> points = Scatter(300);
+    std::vector<Point> points = ScatteredPoints(300, -0.5, 1.5);
     points.insert(points.end(), shape.ridges.begin(), shape.ridges.end());
     std::vector<double> slopes = Slopes(shape.node, points);
     for (size_t i = 0; i < points.size(); ++i) {
@@ -592,7 +582,7 @@ TEST(ShapeSlopeTest, OfCombinationsIsAtMostOne) {
          "b": {"block": "sdf_circle", "in": {"center": [0.625, 0.5], "radius": 0.25}}, )";
   for (const char* block :
        {"sdf_union", "sdf_intersection", "sdf_difference", "sdf_smooth_union"}) {
-    std::vector<Point> points = Scatter(200);
+    std::vector<Point> points = ScatteredPoints(200, -0.5, 1.5);
     points.insert(points.end(), {{0.375, 0.5}, {0.5, 0.5}, {0.5, 0.9}});
     auto outputs = RunNodes(circles + R"("shape": {"block": ")" + block +
                                 R"(", "in": {"a": "a", "b": "b"}},
@@ -645,7 +635,7 @@ const char* const kAcross = R"("xy": {"block": "components", "in": {"vector": "u
 
 TEST(ShapeMaskTest, FillIsTheShareOfTheHalfPlane) {
   for (double pixel : {0.001, 0.1, 3.0}) {
-    std::vector<Point> points = Scatter(100);
+    std::vector<Point> points = ScatteredPoints(100, -0.5, 1.5);
     auto outputs =
         RunNodes(std::string(kAcross) + R"("mask": {"block": "sdf_fill", "in": {"shape": "xy.x"}})",
                  "mask", points, {pixel, pixel});
@@ -665,7 +655,7 @@ TEST(ShapeMaskTest, StripesHaveTheirShareAtEverySizeOfPixel) {
   const std::string line = R"("shape": {"block": "sdf_line",
       "in": {"a": [0.5, -9], "b": [0.5, 9], "width": 0.0625}}, )";
   for (double pixel : {0.001, 0.03, 0.1, 0.7, 3.0}) {
-    std::vector<Point> points = Scatter(100);
+    std::vector<Point> points = ScatteredPoints(100, -0.5, 1.5);
     points.insert(points.end(), {{0.5, 0.3}, {0.53125, 0.3}});
     auto fill = RunNodes(line + R"("mask": {"block": "sdf_fill", "in":
         {"shape": "shape", "thickness": 0.0625}})",
@@ -698,9 +688,9 @@ TEST(ShapeMaskTest, StandsAtTheImageOfALayer) {
       "paint": {"block": "rgba", "in": {"color": [1, 0.5, 0.25], "alpha": "fill"}},
       "rings": {"block": "layer", "in": {"tile": "grid", "image": "paint"}}},
       "outputs": {"color": "rings.color"}})",
-                          Scatter(300), {0.0001, 0.0001});
+                          ScatteredPoints(300, -0.5, 1.5), {0.0001, 0.0001});
   ASSERT_EQ(outputs.size(), 1u);
-  std::vector<Point> points = Scatter(300);
+  std::vector<Point> points = ScatteredPoints(300, -0.5, 1.5);
   for (size_t i = 0; i < points.size(); ++i) {
     double x = 4 * points[i].x, y = 4 * points[i].y;
     double from = std::hypot(x - std::floor(x) - 0.5, y - std::floor(y) - 0.5) - 0.3;

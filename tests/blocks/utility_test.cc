@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "tests/blocks/run_block.h"
+#include "tests/blocks/scattered_points.h"
 
 namespace texgraph::blocks {
 namespace {
@@ -16,18 +17,9 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 using Vec3 = std::array<double, 3>;
 
-std::vector<Point> Scatter(int count) {
-  std::vector<Point> points;
-  for (int i = 0; i < count; ++i) {
-    points.push_back(
-        {std::fmod(0.1234 + 0.7548776662 * i, 1), std::fmod(0.5678 + 0.569840291 * i, 1)});
-  }
-  return points;
-}
-
 std::vector<Vector> Places(int count) {
   std::vector<Vector> places;
-  for (Point p : Scatter(count)) places.push_back({4 * p.x - 2, 4 * p.y - 2});
+  for (Point p : ScatteredPoints(count)) places.push_back({4 * p.x - 2, 4 * p.y - 2});
   return places;
 }
 
@@ -110,7 +102,7 @@ TEST(UtilityTest, SpherizeShowsABallFromFarAway) {
 }
 
 TEST(UtilityTest, DirectionalBlurIsASumOfBoxesOnALine) {
-  const std::vector<Point> points = Scatter(40);
+  const std::vector<Point> points = ScatteredPoints(40);
   const double radius = 0.07, pixel = 0.01;
   for (int taps : {1, 3, 8}) {
     for (double angle : {0.0, 60.0, 90.0, 205.0}) {
@@ -135,7 +127,7 @@ TEST(UtilityTest, DirectionalBlurIsASumOfBoxesOnALine) {
 }
 
 TEST(UtilityTest, SharpenAddsWhatABlurTakesAway) {
-  const std::vector<Point> points = Scatter(60);
+  const std::vector<Point> points = ScatteredPoints(60);
   const double radius = 0.03, pixel = 0.004;
   Values seen = RunNode(kStripes + R"(, "n": {"block": "sharpen", "in": {"image": "stripes",
       "amount": 0.8, "radius": 0.03}})",
@@ -172,7 +164,7 @@ const std::string kBowl = R"(
     "bowl": {"block": "add", "in": {"a": "sum", "b": "rise"}})";
 
 TEST(UtilityTest, SlopeBlurFollowsTheSlope) {
-  const std::vector<Point> points = Scatter(30);
+  const std::vector<Point> points = ScatteredPoints(30);
   for (const char* mode : {"blur", "min", "max"}) {
     Values seen = RunNode(
         kBowl + R"(, "ramp": {"block": "gradient_linear", "in": {"start": [-4, 0], "end": [4, 3]}},
@@ -221,7 +213,7 @@ TEST(UtilityTest, EdgeDetectShowsAnEdgeAsALine) {
 // A ball and a lying cylinder of radius 2 around (0.5, 0.5).
 TEST(UtilityTest, CurvatureOfABallIsItsRadius) {
   std::vector<Point> points;
-  for (Point p : Scatter(30)) points.push_back({2 * p.x - 0.5, 2 * p.y - 0.5});
+  for (Point p : ScatteredPoints(30)) points.push_back({2 * p.x - 0.5, 2 * p.y - 0.5});
   const std::string round = R"(
       "x": {"block": "subtract", "in": {"a": "c.x", "b": 0.5}},
       "y": {"block": "subtract", "in": {"a": "c.y", "b": 0.5}},
@@ -248,7 +240,7 @@ TEST(UtilityTest, CurvatureOfABallIsItsRadius) {
 TEST(UtilityTest, TriplanarProjectsAlongThreeAxes) {
   // The image is x + 10 y + 100 plane. The normal goes with the place: (x - 1/2, y - 1/2, 0.1 or
   // -0.1).
-  const std::vector<Point> points = Scatter(60);
+  const std::vector<Point> points = ScatteredPoints(60);
   const std::string functions = R"("functions": {"picture": {"inputs": {"plane": "int"}, "nodes": {
       "c": {"block": "components", "in": {"vector": "uv"}},
       "which": {"block": "to_float", "in": {"value": "plane"}},
@@ -403,7 +395,7 @@ Values Dissolved(double opacity, double alpha, const std::vector<Point>& points,
 
 TEST(UtilityTest, DissolveShowsAsManyGrainsAsItsOpacitySays) {
   constexpr size_t kCount = 4000;
-  const std::vector<Point> points = Scatter(kCount);
+  const std::vector<Point> points = ScatteredPoints(kCount);
   for (double pixel : {1e-6, 0.01}) {
     const Values seen = Dissolved(0.6, 0.5, points, pixel);
     double red = 0;

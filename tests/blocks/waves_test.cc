@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "tests/blocks/run_block.h"
+#include "tests/blocks/scattered_points.h"
 
 namespace texgraph::blocks {
 namespace {
@@ -92,19 +93,10 @@ Values RunNode(const std::string& node, const std::vector<Point>& points, double
   return outputs.empty() ? Floats(std::vector<double>(points.size(), NAN)) : outputs["height"];
 }
 
-std::vector<Point> Scatter(int count) {
-  std::vector<Point> points;
-  for (int i = 0; i < count; ++i) {
-    points.push_back(
-        {3 * Fraction(0.1234 + 0.7548776662 * i) - 1, 3 * Fraction(0.5678 + 0.5698402910 * i) - 1});
-  }
-  return points;
-}
-
 // Away from jumps, with pixels that are next to nothing.
 void CheckShape(const std::string& node, const std::function<double(double, double)>& wanted,
                 double near_jump = 0) {
-  std::vector<Point> points = Scatter(200);
+  std::vector<Point> points = ScatteredPoints(200, -1, 2);
   Values seen = RunNode(node, points, 1e-5);
   int checked = 0;
   for (size_t i = 0; i < points.size(); ++i) {

@@ -48,7 +48,7 @@ void CompileText(const std::string& text, graph::DocumentFormat format, const st
 
 // What a layer cannot know when the shader is made it may warn of, and of what is the same wherever
 // a function port asks: random graphs connect anything.
-bool OnlyWarnings(const Diagnostics& diagnostics) {
+bool OnlyExpectedWarnings(const Diagnostics& diagnostics) {
   return std::ranges::all_of(diagnostics.all(), [](const Diagnostic& diagnostic) {
     return diagnostic.kind == DiagnosticKind::kNotComputed ||
            diagnostic.kind == DiagnosticKind::kIgnoredCoordinate;
@@ -96,7 +96,7 @@ std::string CheckTargets(const std::string& text, graph::DocumentFormat format,
     CompileText(text, format, path, options, attempt);
     const std::string form = fmt::format("target {}, {}: ", static_cast<int>(target),
                                          emit == Emit::kShader ? "shader" : "function");
-    if (!attempt.compiled || !OnlyWarnings(attempt.diagnostics)) {
+    if (!attempt.compiled || !OnlyExpectedWarnings(attempt.diagnostics)) {
       report.limit = ReachedLimit(attempt.diagnostics);
       if (!report.limit.empty()) return "";
       return form + "refused\n" + attempt.Messages();
