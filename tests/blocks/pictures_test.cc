@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <string>
 
 #include "graphs/pictures/picture.h"
 
@@ -36,17 +37,23 @@ Picture ReadPng(const std::string& path) {
   return picture;
 }
 
-TEST(PicturesTest, GeneratorDrawsTheCommittedPixels) {
-  for (const NamedPicture& named : Pictures()) {
-    SCOPED_TRACE(named.path);
-    Picture drawn = named.make();
-    Picture committed = ReadPng(PathOf(named));
-    ASSERT_EQ(drawn.width, committed.width);
-    ASSERT_EQ(drawn.height, committed.height);
-    ASSERT_EQ(drawn.has_alpha, committed.has_alpha);
-    EXPECT_TRUE(drawn.pixels == committed.pixels);
-  }
+// A test for each, so that they are drawn side by side.
+class PictureTest : public testing::TestWithParam<NamedPicture> {};
+
+TEST_P(PictureTest, GeneratorDrawsTheCommittedPixels) {
+  const Picture drawn = GetParam().make();
+  const Picture committed = ReadPng(PathOf(GetParam()));
+  ASSERT_EQ(drawn.width, committed.width);
+  ASSERT_EQ(drawn.height, committed.height);
+  ASSERT_EQ(drawn.has_alpha, committed.has_alpha);
+  EXPECT_TRUE(drawn.pixels == committed.pixels);
 }
+
+INSTANTIATE_TEST_SUITE_P(All, PictureTest, testing::ValuesIn(Pictures()), [](const auto& info) {
+  std::string name = info.param.path.substr(0, info.param.path.find('.'));
+  std::ranges::replace(name, '/', '_');
+  return name;
+});
 
 // A sheet of many tiles of grass is noise, which PNG stores almost as it is: 20 KiB for each tile
 // of 128 x 128 that is more than fits in 300 KiB.

@@ -20,9 +20,10 @@ struct GraphReport {
   uint64_t loose = 0;      // with more than 0.01 of slack: they say little
 };
 
-// `path`: where the text seems to lie; its textures are in that folder. Compiles it to every target
-// and form, without a word, to something that glslang and spirv-val accept and that samples
-// implicitly only where that is right; and compares the optimised with the unoptimised module.
+// `path`: where the text seems to lie; its textures are in that folder. Compiles it to SPIR-V and
+// to both dialects, one as a shader and one as a function, without a word, to something that
+// glslang and spirv-val accept and that samples implicitly only where that is right; and compares
+// the optimised with the unoptimised module.
 GraphReport CheckValidGraph(const std::string& text, graph::DocumentFormat format,
                             const std::string& path, uint32_t seed);
 

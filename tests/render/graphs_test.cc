@@ -5,8 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
-#include <set>
+#include <optional>
 #include <string>
 
 #include "compiler/base/files.h"
@@ -14,6 +15,7 @@
 #include "compiler/compile.h"
 #include "compiler/graph/checked_graph.h"
 #include "compiler/graph/graph.h"
+#include "compiler/passes/passes.h"
 #include "tests/fuzz/graph_textures.h"
 #include "tests/render/render_check.h"
 
@@ -65,13 +67,13 @@ void ExpectNear(const CheckReport& report, double tolerance, const std::string& 
   }
 }
 
-// Pixels each way. Dozens of copies or octaves for each pixel are drawn smaller: the CPU computes
-// every one of them, eight times.
-int SideOf(const fs::path& graph) {
-  static const std::set<std::string> kHeavy = {"cobblestones", "cracked_mud", "flower_field",
-                                               "island_map",   "leaf_litter", "pixel_sunset",
-                                               "rose_window",  "solid_wood",  "starry_sky"};
-  return kHeavy.contains(graph.stem()) ? 40 : 128;
+// Pixels each way. What computes much for each pixel is drawn smaller: the CPU computes all of it,
+// eight times.
+uint32_t SideOf(const ir::Module& module) {
+  constexpr double kOperations = 128 * 128 * 1000;
+  const double pixels =
+      kOperations / static_cast<double>(std::max<uint64_t>(passes::OperationsForAPixel(module), 1));
+  return std::clamp(static_cast<uint32_t>(std::sqrt(pixels)) / 8 * 8, 40u, 128u);
 }
 
 class GraphTest : public testing::TestWithParam<fs::path> {};
@@ -81,7 +83,8 @@ class GraphTest : public testing::TestWithParam<fs::path> {};
 TEST_P(GraphTest, TheGpuDrawsWhatTheCpuComputes) {
   const std::string path = GetParam();
   CheckOptions options;
-  options.width = options.height = SideOf(path);
+  std::optional<uint32_t> side;
+  fuzz::GraphTextures textures[2];  // the same for all: without mip levels, and with them
   for (const std::array<double, 4>& window :
        {std::array<double, 4>{0, 0, 1, 1}, {-3.7, 2.1, 4.9, 9.3}}) {
     options.window = window;
@@ -93,9 +96,15 @@ TEST_P(GraphTest, TheGpuDrawsWhatTheCpuComputes) {
         LoweredGraph graph;
         LowerGraph(path, optimize, dialect, graph);
         ASSERT_TRUE(graph.lowered) << graph.Errors();
-        options.textures =
-            fuzz::LoadGraphTextures(*graph.lowered->graph, std::string(FolderOf(path)), mipmaps);
+        fuzz::GraphTextures& loaded = textures[mipmaps];
+        if (loaded.empty()) {
+          loaded =
+              fuzz::LoadGraphTextures(*graph.lowered->graph, std::string(FolderOf(path)), mipmaps);
+        }
+        options.textures = loaded;
         ASSERT_EQ(options.textures.size(), graph.lowered->graph->textures.size());
+        if (!side) side = SideOf(*graph.lowered->module);
+        options.width = options.height = *side;
         const CheckReport report = CompareCpuAndGpu(*graph.lowered->module, options);
         ExpectNear(report, mipmaps ? 0.02 : 1e-4,
                    fmt::format("window at {}, dialect {}, mipmaps {}, optimised {}", window[0],
