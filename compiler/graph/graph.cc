@@ -97,7 +97,7 @@ void GraphReader::ReadVersion(const DocumentNode& root, const DocumentNode* vers
 void GraphReader::ReadName(const DocumentNode* name, std::string_view file_name) {
   std::string_view text;
   if (ReadText(name, {"the graph", ""}, text)) {
-    CheckName(text, name->range, diagnostics_);
+    CheckBoundName(text, name->range, diagnostics_);
     graph_.name = text;
     graph_.range = name->range;
   } else {

@@ -26,13 +26,27 @@ std::string WhyNoName(std::string_view name) {
         "'{}' is no name: names are letters, digits and '_', and begin with a letter",
         Printable(name));
   }
+  return {};
+}
+
+// Why a name cannot stand in a shader; "" if it can.
+std::string WhyNotBound(std::string_view name) {
+  if (std::string why = WhyNoName(name); !why.empty()) return why;
   if (name.find("__") != std::string_view::npos) {
     return fmt::format("'{}' has '__', which GLSL keeps for itself", name);
   }
   if (IsReservedInGlsl(name)) {
-    return fmt::format("'{}' is a word of GLSL; take another name, 'my_{}' say", name, name);
+    return fmt::format(
+        "'{}' is a word of GLSL, and programs bind this by its name; take another, 'my_{}' say",
+        name, name);
   }
   return {};
+}
+
+bool Report(std::string why, SourceRange range, Diagnostics& diagnostics) {
+  if (why.empty()) return true;
+  diagnostics.Error(DiagnosticKind::kBadName, range, std::move(why));
+  return false;
 }
 
 struct Owner {
@@ -72,11 +86,12 @@ void CheckFunction(const Subgraph& function, const Namespace& globals, Diagnosti
 
 }  // namespace
 
-bool CheckName(std::string_view name, SourceRange range, Diagnostics& diagnostics) {
-  std::string why = WhyNoName(name);
-  if (why.empty()) return true;
-  diagnostics.Error(DiagnosticKind::kBadName, range, std::move(why));
-  return false;
+bool CheckInnerName(std::string_view name, SourceRange range, Diagnostics& diagnostics) {
+  return Report(WhyNoName(name), range, diagnostics);
+}
+
+bool CheckBoundName(std::string_view name, SourceRange range, Diagnostics& diagnostics) {
+  return Report(WhyNotBound(name), range, diagnostics);
 }
 
 std::string NameOfFile(std::string_view path) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rule for the names that a graph gives to things. A name that keeps it can stand in a shader
-// as it is, in every dialect.
+// The rules for the names that a graph gives to things. What an engine binds, parameters, textures,
+// outputs and the graph itself, is called in the shader what the graph calls it, in every dialect.
+// Nodes, functions and their inputs are the graph's own: a name that GLSL takes for itself is
+// changed by the printer, as any other that clashes.
 #pragma once
 
 #include <cstddef>
@@ -15,8 +17,10 @@ struct Graph;
 
 inline constexpr size_t kMaxNameLength = 64;
 
-// [A-Za-z][A-Za-z0-9_]*, no "__", no word of GLSL, at most kMaxNameLength bytes; else kBadName.
-bool CheckName(std::string_view name, SourceRange range, Diagnostics& diagnostics);
+// [A-Za-z][A-Za-z0-9_]*, at most kMaxNameLength bytes; else kBadName.
+bool CheckInnerName(std::string_view name, SourceRange range, Diagnostics& diagnostics);
+// The same, and no "__" and no word of GLSL.
+bool CheckBoundName(std::string_view name, SourceRange range, Diagnostics& diagnostics);
 
 // The file's name without folders and extensions, made a name: "walls/brick-wall.v2.json" gives
 // "brick_wall".

@@ -15,7 +15,7 @@ void GraphReader::ReadParameters(const DocumentNode* section) {
 }
 
 void GraphReader::ReadParameter(const DocumentNode& node) {
-  CheckName(node.key, node.key_range, diagnostics_);
+  CheckBoundName(node.key, node.key_range, diagnostics_);
   Owner owner{"parameter", node.key};
   Parameter parameter;
   parameter.name = node.key;

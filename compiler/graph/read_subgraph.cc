@@ -15,7 +15,7 @@ void GraphReader::ReadFunctions(const DocumentNode* section) {
 }
 
 void GraphReader::ReadFunction(const DocumentNode& node) {
-  CheckName(node.key, node.key_range, diagnostics_);
+  CheckInnerName(node.key, node.key_range, diagnostics_);
   Owner owner{"function", node.key};
   Subgraph function;
   function.name = node.key;
@@ -39,7 +39,7 @@ void GraphReader::ReadFunction(const DocumentNode& node) {
 
 // "scale": "float", or "scale": { "type": "float", "value": 1 }.
 void GraphReader::ReadFunctionInput(const DocumentNode& node, Subgraph& function) {
-  CheckName(node.key, node.key_range, diagnostics_);
+  CheckInnerName(node.key, node.key_range, diagnostics_);
   Owner owner{"input", node.key};
   FunctionInput input;
   input.name = node.key;
@@ -72,7 +72,7 @@ void GraphReader::ReadNodes(const DocumentNode* section, Owner owner, Subgraph& 
 }
 
 void GraphReader::ReadNode(const DocumentNode& node, Subgraph& subgraph) {
-  CheckName(node.key, node.key_range, diagnostics_);
+  CheckInnerName(node.key, node.key_range, diagnostics_);
   Owner owner{"node", node.key};
   Node& result = subgraph.nodes.emplace_back();
   result.name = node.key;
@@ -100,7 +100,7 @@ void GraphReader::ReadOutputs(const DocumentNode* section, Owner owner, bool che
                        fmt::format("{} has at least one output", owner.Text()));
   }
   for (const DocumentNode& child : document_.children(*section)) {
-    if (check_names) CheckName(child.key, child.key_range, diagnostics_);
+    if (check_names) CheckInnerName(child.key, child.key_range, diagnostics_);
     std::optional<Argument> argument = ReadArgument(document_, child, diagnostics_);
     if (argument) subgraph.outputs.push_back({child.key, child.key_range, std::move(*argument)});
   }

@@ -58,7 +58,7 @@ void GraphReader::ReadTextures(const DocumentNode* section) {
 }
 
 void GraphReader::ReadTexture(const DocumentNode& node) {
-  CheckName(node.key, node.key_range, diagnostics_);
+  CheckBoundName(node.key, node.key_range, diagnostics_);
   const Owner owner{"texture", node.key};
   Texture texture;
   texture.name = node.key;

@@ -30,6 +30,10 @@ constexpr ImageFile kImages[] = {{"noise.png", 8, 8, 4, 0},
                                  {"dots.png", 8, 8, 4, 1}};
 constexpr const char* kEqualFiles[] = {"noise.png", "soft.png", "dots.png"};
 
+// Words of GLSL, and what it keeps for itself, for what no program binds.
+constexpr const char* kTakenNames[] = {"dot", "all",    "round",   "distance",    "float", "main",
+                                       "if",  "sample", "texture", "gl_Position", "a__b",  "dot2"};
+
 // Names as people choose them, and names that the shader has for things of its own: of blocks and
 // their parameters and variables, of words of template ports, of what the printer adds.
 constexpr const char* kNames[] = {
@@ -89,7 +93,8 @@ class Generator {
   enum class Scope { kGraph, kFunction, kNode };
   std::string FreshName(Scope scope = Scope::kGraph) {
     std::set<std::string>& own = scope == Scope::kFunction ? locals_ : names_;
-    std::string name = OneOf(kNames, random_);
+    std::string name =
+        scope != Scope::kGraph && OneIn(8) ? OneOf(kTakenNames, random_) : OneOf(kNames, random_);
     const auto taken = [&] {
       if (names_.contains(name)) return true;
       return scope == Scope::kGraph ? all_locals_.contains(name) : own.contains(name);

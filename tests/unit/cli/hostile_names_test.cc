@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // HOSTILE.md, "Names and strings": what a stranger calls things never reaches the shader but as an
 // identifier.
+#include <fmt/format.h>
+
 #include <string>
 #include <vector>
 
@@ -41,8 +43,9 @@ const std::vector<std::string>& EvilNames() {
 
 const std::vector<std::string>& ReservedNames() {
   static const std::vector<std::string> kNames = {
-      "main",    "float",     "gl_FragColor", "gl_x", "a__b",   "__",   "uniform", "discard",
-      "texture", "sampler2D", "input",        "half", "sample", "goto", "while"};
+      "main",    "float",     "gl_FragColor", "gl_x", "a__b",   "uniform", "discard",
+      "texture", "sampler2D", "input",        "half", "sample", "goto",    "while",
+      "dot",     "all",       "round",        "if",   "vec3",   "true",    "mix"};
   return kNames;
 }
 
@@ -55,7 +58,68 @@ std::string NodeCalled(const std::string& name) {
 
 TEST_F(Hostile, NamesOfNodes) {
   for (const std::string& name : EvilNames()) ExpectRefused(NodeCalled(name), 1, "bad-name");
-  for (const std::string& name : ReservedNames()) ExpectRefused(NodeCalled(name), 1, "bad-name");
+  ExpectRefused(NodeCalled("__"), 1, "bad-name");
+}
+
+// A node, a function, its input, its output and a node in it with one name, all of which the shader
+// has variables or functions for.
+std::string AllCalled(const std::string& name) {
+  return fmt::format(
+      R"({{ "texgraph": 1,
+            "parameters": {{ "p": {{ "type": "vec3", "value": [1, 2, 3], "binding": "uniform" }} }},
+            "functions": {{
+              "{0}": {{ "inputs": {{ "{0}1": "vec3" }}, "nodes": {{
+                  "{0}2": {{ "block": "multiply", "in": {{ "a": "{0}1", "b": "p" }} }},
+                  "{0}3": {{ "block": "multiply", "in": {{ "a": "{0}2", "b": "{0}2" }} }} }},
+                "outputs": {{ "{0}": "{0}3", "{0}2": "{0}2" }} }},
+              "of": {{ "inputs": {{ "{0}4": "vec3" }}, "nodes": {{
+                  "{0}5": {{ "block": "multiply", "in": {{ "a": "{0}4", "b": "p" }} }},
+                  "{0}6": {{ "block": "multiply", "in": {{ "a": "{0}5", "b": "{0}5" }} }} }},
+                "outputs": {{ "{0}": "{0}6" }} }} }},
+            "nodes": {{
+              "{0}7": {{ "block": "{0}", "in": {{ "{0}1": "p" }} }},
+              "{0}8": {{ "block": "of", "in": {{ "{0}4": "{0}7.{0}" }} }},
+              "{0}9": {{ "block": "of", "in": {{ "{0}4": "{0}8" }} }},
+              "sum": {{ "block": "add", "in": {{ "a": "{0}9", "b": "{0}7.{0}2" }} }} }},
+            "outputs": {{ "emission": "sum" }} }})",
+      name);
+}
+
+std::string WithoutComments(const std::string& shader) {
+  std::string code;
+  for (size_t begin = 0; begin < shader.size();) {
+    const size_t end = std::min(shader.find('\n', begin), shader.size() - 1) + 1;
+    const std::string line = shader.substr(begin, end - begin);
+    code += line.substr(0, line.find("//")) + "\n";
+    begin = end;
+  }
+  return code;
+}
+
+TEST_F(Hostile, WordsOfGlslAreNamesOfWhatNobodyBinds) {
+  bool as_function = false;
+  for (const std::string& word : ReservedNames()) {
+    folder.Write("graph.json", AllCalled(word));
+    as_function = !as_function;
+    const std::string emit = as_function ? "--emit=function" : "--emit=shader";
+    Outcome outcome = Texgraphc({"graph.json", "--validate", emit, "-o", "-"}, folder.path()).Run();
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.error << AllCalled(word);
+    const std::string code = WithoutComments(outcome.out);
+    EXPECT_NE(code.find("9 = "), std::string::npos) << code;
+    EXPECT_EQ(code.find("gl_"), std::string::npos) << code;
+    EXPECT_EQ(code.find("__"), std::string::npos) << code;
+  }
+}
+
+TEST_F(Hostile, WordsOfGlslAreNoNamesOfWhatProgramsBind) {
+  for (const std::string& name : ReservedNames()) {
+    const std::string nodes = R"("nodes": { "a": { "block": "add", "in": { "a": 1 } } },
+                                 "outputs": { "height": "a" } })";
+    ExpectRefused(R"({ "texgraph": 1, "parameters": { ")" + name +
+                      R"(": { "type": "float", "value": 1 } }, )" + nodes,
+                  1, "bad-name");
+    ExpectRefused(R"({ "texgraph": 1, "name": ")" + name + "\", " + nodes, 1, "bad-name");
+  }
 }
 
 TEST_F(Hostile, NamesOfEverythingElse) {
@@ -72,6 +136,7 @@ TEST_F(Hostile, NamesOfEverythingElse) {
                       "\"nodes\": { \"a\": { \"block\": \"add\", \"in\": { \"a\": 1 } } }, "
                       "\"outputs\": { \"height\": \"a\" } }",
                   1, "bad-name");
+    if (name == "main") continue;
     ExpectRefused("{ \"texgraph\": 1, \"functions\": { " + quoted +
                       ": { \"nodes\": { \"n\": { \"block\": \"add\", \"in\": { \"a\": 1 } } }, "
                       "\"outputs\": { \"v\": \"n\" } } }, "

@@ -110,7 +110,7 @@ TEST(CheckMistakes, ReferencesToNothing) {
        {"10:12 unknown-reference"},
        "did you mean 'brick'?"},
       {Ports("t_one", "\"x\": \"\\u001b]0;\\u202e\""), {"10:6 unknown-reference"}, "\\x1b"},
-      {"\"nodes\": {\"out\": 1}", {"2:11 bad-name", "2:18 graph-shape"}, ""},
+      {"\"nodes\": {\"out\": 1}", {"2:18 graph-shape"}, ""},
       {"\"functions\": {\"g\": {\"outputs\": {\"o\": \"n\"}}}, \"nodes\": {\"n\": {\"block\": "
        "\"t_one\"}}",
        {"2:38 unknown-reference"},

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "compiler/base/text.h"
 #include "compiler/graph/names.h"
 #include "tests/unit/graph/graph_testing.h"
 
@@ -369,7 +370,7 @@ TEST(ReadGraph, ReportsMistakesOfNodesAndFunctions) {
   });
 }
 
-TEST(ReadGraph, NamesAreWhatGlslTakes) {
+TEST(ReadGraph, NamesThatProgramsBindAreWhatGlslTakes) {
   const std::vector<std::pair<std::string, std::string>> bad = {
       {"", "a name must not be empty"},
       {"1abc", "'1abc' is no name"},
@@ -378,7 +379,9 @@ TEST(ReadGraph, NamesAreWhatGlslTakes) {
       {"a.b", "'a.b' is no name"},
       {"a b", "'a b' is no name"},
       {"a__b", "'a__b' has '__'"},
-      {"main", "'main' is a word of GLSL; take another name, 'my_main' say"},
+      {"main",
+       "'main' is a word of GLSL, and programs bind this by its name; take another, "
+       "'my_main' say"},
       {"sample", "'sample' is a word of GLSL"},
       {"vec3", "'vec3' is a word of GLSL"},
       {"gl_FragColor", "'gl_FragColor' is a word of GLSL"},
@@ -391,12 +394,18 @@ TEST(ReadGraph, NamesAreWhatGlslTakes) {
       {std::string(100'000, 'a'), "the name has 100000 characters, the limit is 64"},
   };
   for (const auto& [name, message] : bad) {
-    ReadGraphText read{With(fmt::format("\"nodes\": {{\"{}\": {{\"block\": \"x\"}}}}", name))};
+    ReadGraphText read{With(fmt::format(R"("parameters": {{
+"{}": {{"type": "int", "value": 1}}}})",
+                                        name))};
     EXPECT_FALSE(read.graph);
-    EXPECT_THAT(read.Places(), ElementsAre("2:11 bad-name"));
+    EXPECT_THAT(read.Places(), ElementsAre("3:1 bad-name"));
     EXPECT_THAT(read.Messages(), HasSubstr(message));
     EXPECT_EQ(read.Messages().find('\x1b'), std::string::npos);
     EXPECT_LT(read.Messages().size(), 300u);
+    // What the graph alone knows may be called as GLSL calls things, but with a name.
+    ReadGraphText node{With(fmt::format("\"nodes\": {{\"{}\": {{\"block\": \"x\"}}}}", name))};
+    const bool is_name = IsIdentifier(name) && name.size() <= kMaxNameLength && name[0] != '_';
+    EXPECT_EQ(node.graph.has_value(), is_name) << name;
   }
   std::string longest(64, 'a');
   EXPECT_TRUE(

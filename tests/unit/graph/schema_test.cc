@@ -121,6 +121,7 @@ const std::vector<std::string> kGood = {
     With(R"("functions": {"f": {"inputs": {"a": "float", "t": "Tile"}, "outputs": {"o": "a"}}})"),
     With(
         R"("functions": {"f": {"inputs": {"a": {"type": "int", "value": 2}}, "outputs": {"o": 1}}})"),
+    With(R"("nodes": {"a__b": {"block": "x"}, "float": {"block": "x"}})"),
     With(R"("nodes": {"n_": {"block": "b", "in": {"m": [[1, 2], [3, 4]], "w": "add"}}})"),
 };
 
@@ -141,7 +142,7 @@ const std::vector<std::string> kBad = {
     With(R"("name": 3)"),
     With(R"("description": 3)"),
     With(R"("nodes": {"a-b": {"block": "x"}})"),
-    With(R"("nodes": {"a__b": {"block": "x"}})"),
+    With(R"("parameters": {"a__b": {"type": "int", "value": 1}})"),
     With(R"("nodes": {"_a": {"block": "x"}})"),
     With(R"("nodes": {"": {"block": "x"}})"),
     With("\"nodes\": {\"" + std::string(65, 'a') + "\": {\"block\": \"x\"}}"),
