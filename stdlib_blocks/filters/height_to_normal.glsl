@@ -14,7 +14,7 @@
 float height(vec2 uv);
 
 vec3 height_to_normal(vec2 uv, float strength, float smallest_step) {
-  vec2 apart = max(footprint(uv), smallest_step);
+  vec2 apart = max(footprint(uv), max(smallest_step, 1e-7));
   vec2 across = vec2(0.5 * apart.x, 0.0);
   vec2 along = vec2(0.0, 0.5 * apart.y);
   vec2 rise = vec2(height(uv + across) - height(uv - across),

@@ -14,7 +14,7 @@ genType image(vec2 uv);
 float height(vec2 uv);
 
 genType warp(vec2 uv, float amount, float smallest_step) {
-  vec2 apart = max(footprint(uv), smallest_step);
+  vec2 apart = max(footprint(uv), max(smallest_step, 1e-7));
   vec2 across = vec2(0.5 * apart.x, 0.0);
   vec2 along = vec2(0.0, 0.5 * apart.y);
   vec2 rise = vec2(height(uv + across) - height(uv - across),

@@ -193,6 +193,22 @@ TEST(FiltersTest, HeightToNormalHasTheSlope) {
   }
 }
 
+// Nobody knows a connected step before it is 0: the slope of nothing over nothing is none.
+TEST(FiltersTest, SlopesHaveAValueWithoutAStep) {
+  const std::string none = R"("none": {"block": "multiply", "in": {"a": "c.x", "b": 0}},)" + kBowl;
+  const std::vector<Point> points = ScatteredPoints(30);
+  Values normals = RunNode(none + R"(, "n": {"block": "height_to_normal", "in": {
+      "height": "bowl", "smallest_step": "none"}})",
+                           points, {0, 0}, "normal");
+  Values warped = RunNode(none + R"(, "n": {"block": "warp", "in": {
+      "image": "bowl", "height": "bowl", "smallest_step": "none"}})",
+                          points, {0, 0});
+  for (size_t i = 0; i < points.size(); ++i) {
+    EXPECT_NEAR(std::hypot(normals.Float(i, 0), normals.Float(i, 1), normals.Float(i, 2)), 1, 1e-5);
+    EXPECT_TRUE(std::isfinite(warped.Float(i))) << i;
+  }
+}
+
 // A relief of stripes far finer than the pixel has no slope left.
 TEST(FiltersTest, HeightToNormalIsFlatFromFarAway) {
   Values seen = RunNode(R"("noise": {"block": "value_noise", "in": {"scale": 300}},

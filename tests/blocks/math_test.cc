@@ -177,6 +177,21 @@ TEST(MathTest, SmoothStep) {
   EXPECT_EQ(jump["result"].Float(1), 1.0f);
 }
 
+// With the ends exchanged it is what 1 leaves of the rise.
+TEST(MathTest, SmoothStepFallsWithItsEndsExchanged) {
+  const Values value = Floats({-1, 0.2, 0.5, 0.9, 1.3, 1.7, 1.9, 4});
+  auto rise = RunBlock("smooth_step",
+                       {{"value", value}, {"low", Floats({0.25})}, {"high", Floats({1.75})}});
+  auto fall = RunBlock("smooth_step",
+                       {{"value", value}, {"low", Floats({1.75})}, {"high", Floats({0.25})}});
+  ASSERT_EQ(rise.size() + fall.size(), 2u);
+  for (size_t i = 0; i < value.count; ++i) {
+    EXPECT_NEAR(fall["result"].Float(i), 1 - rise["result"].Float(i), 1e-6) << i;
+  }
+  EXPECT_EQ(fall["result"].Float(0), 1.0f);
+  EXPECT_EQ(fall["result"].Float(7), 0.0f);
+}
+
 // A straight edge between pixels: each gets the share of itself that lies above.
 TEST(MathTest, ThresholdGivesAPixelItsShare) {
   // One quad; the value rises by 0.1 a pixel to the right and not upwards.
@@ -243,6 +258,12 @@ TEST(ChannelsTest, PutTogetherAndTakenApart) {
     EXPECT_EQ(channel["result"].Float(0), color.Float(0, i)) << kNames[i];
     EXPECT_EQ(parts[kNames[i]].Float(0), color.Float(0, i)) << kNames[i];
   }
+  auto opaque = RunBlock("separate", {{"color", Vectors({{0.1, 0.2, 0.3}})}});
+  EXPECT_EQ(opaque.size(), 3u);
+  EXPECT_EQ(opaque["b"].Float(0), 0.3f);
+  auto pair = RunBlock("separate", {{"color", Vectors({{0.1, 0.2}})}});
+  EXPECT_EQ(pair.size(), 2u);
+  EXPECT_EQ(pair["g"].Float(0), 0.2f);
   auto rgb = RunBlock("rgb", {{"color", color}});
   EXPECT_EQ(rgb["result"].Float(0, 2), 0.3f);
   auto rgba = RunBlock("rgba", {{"color", Vectors({{0.1, 0.2, 0.3}})}, {"alpha", Floats({0.5})}});

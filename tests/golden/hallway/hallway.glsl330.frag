@@ -252,8 +252,8 @@ float value_noise(vec2 uv, vec2 scale, int seed, vec2 uv_dx, vec2 uv_dy) {
 }
 
 // smooth_step (math/smooth_step.glsl)
-float smooth_step(float value, float low, float high) {
-  float t = clamp((value - low) / max(high - low, 1e-7), 0.0, 1.0);
+float smooth_step_smoke(float value) {
+  float t = clamp((value - 0.7) / 0.45, 0.0, 1.0);
   return t * t * (3.0 - 2.0 * t);
 }
 
@@ -378,6 +378,18 @@ Material material_layer_holes(vec2 uv, vec2 uv_dx, vec2 uv_dy, vec2 tile_local_d
   vec4 vector = vec4(surface.color.xyz, min(surface.color.w, 1.0));
   surface = Material(vector, surface.normal, surface.height, surface.roughness, surface.metallic);
   return surface;
+}
+
+// smooth_step (math/smooth_step.glsl)
+float smooth_step_no_finish(float value) {
+  float t = clamp((value - 0.2) / 0.11999999, 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+// smooth_step (math/smooth_step.glsl)
+float smooth_step_no_coat(float value) {
+  float t = clamp((value - 0.5) / 0.13, 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
 }
 
 // combine_normals (materials/combine_normals.glsl)
@@ -542,6 +554,12 @@ Material material_over_cracked(Material foreground, Material background) {
   return seen;
 }
 
+// smooth_step (math/smooth_step.glsl)
+float smooth_step_board_bend(float value) {
+  float t = clamp((value - 0.065) / 0.025000006, 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
 // brick_grid (tiles/brick_grid.glsl)
 Tile brick_grid_window_tiles(vec2 uv) {
   int row = int(floor(uv.y));
@@ -579,6 +597,12 @@ void layer_element_windows(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy, ou
   inner_local_dy = q_dy;
 }
 
+// smooth_step (math/smooth_step.glsl)
+float smooth_step_wood(float value) {
+  float t = clamp((value - 0.15) * 4.0, 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
 // window_surface (function of the graph)
 Material window_surface(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
   // picture: image (images/image.glsl)
@@ -588,7 +612,7 @@ Material window_surface(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
   // slope: normal_map (materials/normal_map.glsl)
   vec3 slope = normal_map_slope2(texel.xyz);
   // wood: smooth_step (math/smooth_step.glsl)
-  float wood = smooth_step(texel.w, 0.15, 0.4);
+  float wood = smooth_step_wood(texel.w);
   // roughness: lerp (math/lerp.glsl)
   float roughness = mix(0.06, 0.5, wood);
   // surface: material (materials/material.glsl)
@@ -730,6 +754,12 @@ void layer_element_doors(Tile tile, vec2 tile_local_dx, vec2 tile_local_dy, out 
   inner_local_dy = vec2(test ? -q_dy.x : q_dy.x, q_dy.y);
 }
 
+// smooth_step (math/smooth_step.glsl)
+float smooth_step_brass(float value) {
+  float t = clamp((value - 0.52) / 0.08000004, 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
 // threshold (math/threshold.glsl)
 float threshold(float value, float edge) {
   return clamp((value - edge) / 1e-7 + 0.5, 0.0, 1.0);
@@ -752,7 +782,7 @@ Material door_surface(vec2 uv, Tile tile, vec2 uv_dx, vec2 uv_dy) {
   // slope: normal_map (materials/normal_map.glsl)
   vec3 slope = normal_map_slope2(texel.xyz);
   // brass: smooth_step (math/smooth_step.glsl)
-  float brass = smooth_step(texel.w, 0.52, 0.6);
+  float brass = smooth_step_brass(texel.w);
   // shade: tile_random (tiles/tile_random.glsl)
   float shade = float(hash(tile.seed + 6u) >> 8u) * 5.9604645e-8;
   // paint: color_ramp (color/color_ramp.glsl)
@@ -856,7 +886,7 @@ void main() {
   // damp: lerp (math/lerp.glsl)
   float damp = mix(damp_half, damp_edge, 0.15);
   // smoke: smooth_step (math/smooth_step.glsl)
-  float smoke = smooth_step(level, 0.7, 1.15);
+  float smoke = smooth_step_smoke(level);
   // dim: lerp (math/lerp.glsl)
   float dim = mix(damp, 1.0, smoke);
   // tone: remap (math/remap.glsl)
@@ -874,9 +904,9 @@ void main() {
   Material holes_surface = material_layer_holes(uv, uv_dx, uv_dy, hole_tiles_local_dx,
       hole_tiles_local_dy);
   // no_finish: smooth_step (math/smooth_step.glsl)
-  float no_finish = smooth_step(holes_surface.color.w, 0.2, 0.32);
+  float no_finish = smooth_step_no_finish(holes_surface.color.w);
   // no_coat: smooth_step (math/smooth_step.glsl)
-  float no_coat = smooth_step(holes_surface.color.w, 0.5, 0.63);
+  float no_coat = smooth_step_no_coat(holes_surface.color.w);
   // coat_rgb: multiply (math/multiply.glsl)
   vec3 coat_rgb = finish_color.xyz * vec3(0.5, 0.43, 0.36);
   // coat_rgba: rgba (channels/rgba.glsl)
@@ -916,7 +946,7 @@ void main() {
   // rail_bend: remap (math/remap.glsl)
   float rail_bend = mix(-1.0, 1.0, (level - 0.335) / 0.030000001);
   // board_bend: smooth_step (math/smooth_step.glsl)
-  float board_bend = smooth_step(level, 0.065, 0.09);
+  float board_bend = smooth_step_board_bend(level);
   // bend: lerp (math/lerp.glsl)
   float bend = mix(rail_bend, board_bend, board);
   // bend_up: combine3 (channels/combine3.glsl)

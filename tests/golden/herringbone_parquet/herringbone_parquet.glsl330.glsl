@@ -150,8 +150,14 @@ float herringbone_parquet_value_noise2(vec2 uv, vec2 scale, int seed, vec2 uv_dx
 }
 
 // smooth_step (math/smooth_step.glsl)
-float herringbone_parquet_smooth_step(float value, float low, float high) {
-  float t = clamp((value - low) / max(high - low, 1e-7), 0.0, 1.0);
+float herringbone_parquet_smooth_step_pores(float value) {
+  float t = clamp((value - 0.72) / 0.22999996, 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+// smooth_step (math/smooth_step.glsl)
+float herringbone_parquet_smooth_step_amount(float value) {
+  float t = clamp((value - 0.2) / 0.65000004, 0.0, 1.0);
   return t * t * (3.0 - 2.0 * t);
 }
 
@@ -244,13 +250,13 @@ void herringbone_parquet(vec2 uv, out vec4 color, out float roughness, out float
   float pore_noise = herringbone_parquet_value_noise2(place, vec2(3.2, 64.0), 6, place_dx,
       place_dy);
   // pores: smooth_step (math/smooth_step.glsl)
-  float pores = herringbone_parquet_smooth_step(pore_noise, 0.72, 0.95);
+  float pores = herringbone_parquet_smooth_step_pores(pore_noise);
   // figure: lerp (math/lerp.glsl)
   float figure = mix(rings, strands, 0.35);
   // grain: lerp (math/lerp.glsl)
   float grain = mix(figure, fibre, 0.28);
   // amount: smooth_step (math/smooth_step.glsl)
-  float amount = herringbone_parquet_smooth_step(grain, 0.2, 0.85);
+  float amount = herringbone_parquet_smooth_step_amount(grain);
   // wood: lerp (math/lerp.glsl)
   vec3 wood = mix(early_wood, late_wood, amount);
   // pore_tone: remap (math/remap.glsl)

@@ -88,7 +88,8 @@ float painted_wood_value_noise(vec2 uv, vec2 scale, int seed, vec2 uv_dx, vec2 u
 
 // smooth_step (math/smooth_step.glsl)
 float painted_wood_smooth_step(float value, float low, float high) {
-  float t = clamp((value - low) / max(high - low, 1e-7), 0.0, 1.0);
+  float span = high - low;
+  float t = clamp((value - low) / (abs(span) < 1e-7 ? 1e-7 : span), 0.0, 1.0);
   return t * t * (3.0 - 2.0 * t);
 }
 
