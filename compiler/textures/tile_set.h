@@ -21,7 +21,7 @@
 
 namespace texgraph::textures {
 
-inline constexpr uint32_t kMaxTileCandidates = 4096;
+inline constexpr uint32_t kMaxTileCandidates = 1024;
 
 struct TileSetOptions {
   TileKind kind = TileKind::kCorner;
@@ -61,9 +61,10 @@ struct TileSet {
 // Shares from 0 to 1, never falling, never two calls at a time, from any thread.
 using TileProgress = std::function<void(double)>;
 
-// The least side of a sample for tiles of this size, and the largest tile for a sample.
-uint32_t LeastSample(uint32_t tile_size);
-uint32_t LargestTileOfSample(uint32_t width, uint32_t height);
+// The least side of a sample for tiles of this size, and the largest tile for a sample. A sample
+// that has room for one patch alone would give all colours the same one.
+uint32_t LeastSample(uint32_t tile_size, bool wraps);
+uint32_t LargestTileOfSample(uint32_t width, uint32_t height, bool wraps);
 
 // False, with all that is wrong reported and what would do: kSizeLimit for colours, candidates and
 // packs beyond the limits, kBadImage for a sample that is too small.

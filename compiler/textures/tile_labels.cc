@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/textures/tile_labels.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "compiler/textures/tile_cut.h"
+#include "compiler/textures/tile_patches.h"
+
+namespace texgraph::textures {
+namespace {
+
+// The whole tile is cut at the first scale at which it is no larger; finer ones move the seams by
+// little.
+constexpr uint32_t kCoarseSide = 64;
+constexpr uint32_t kNoBorder = 4;
+constexpr int64_t kBand = 4;  // texels to both sides of a seam
+
+uint32_t SideAt(uint32_t size, uint32_t scale) { return (size + (1u << scale) - 1) >> scale; }
+
+class TileLabeller {
+ public:
+  TileLabeller(const TileSample& sample, const TileTask& task) : sample_(sample), task_(task) {}
+
+  LabelledTile Label();
+
+ private:
+  TileCut Coarsest();
+  void TryMiddles(TileCut& cut);
+  TileCut Finer(const TileCut& coarse);
+  void FreeBand(TileCut& cut) const;
+
+  TileCut EmptyCut(uint32_t scale);
+  // The texel of the tile that texel `at` of a scale stands for.
+  uint32_t Middle(uint32_t at) const {
+    return std::min(((2 * at + 1) << scale_) / 2, task_.size - 1);
+  }
+  // All in texels of the tile, a bit for each label.
+  uint8_t Reaching(uint32_t x, uint32_t y) const;
+  bool InMiddle(uint32_t x, uint32_t y) const;
+  uint8_t Nearest(uint32_t x, uint32_t y) const;
+  uint32_t BorderAt(uint32_t x, uint32_t y, uint32_t side) const;
+  // In texels of the scale; nothing for those that are not at a border.
+  bool IsFixed(uint32_t x, uint32_t y, uint32_t side, uint8_t& label) const;
+
+  const TileSample& sample_;
+  const TileTask& task_;
+  std::vector<TexelPlace> patches_;
+  uint32_t scale_ = 0;
+};
+
+uint8_t TileLabeller::Reaching(uint32_t x, uint32_t y) const {
+  const uint32_t reach = TileReach(task_.size);
+  const bool left = x < reach;
+  const bool right = x >= task_.size - reach;
+  const bool bottom = y < reach;
+  const bool top = y >= task_.size - reach;
+  if (task_.kind == TileKind::kWang) {
+    return static_cast<uint8_t>(bottom | right << 1 | top << 2 | left << 3);
+  }
+  return static_cast<uint8_t>((left && bottom) | (right && bottom) << 1 | (left && top) << 2 |
+                              (right && top) << 3);
+}
+
+bool TileLabeller::InMiddle(uint32_t x, uint32_t y) const {
+  const uint32_t apart = std::max(task_.size / 8, 1u);
+  const auto inside = [&](uint32_t at) { return at >= apart && at + apart < task_.size; };
+  return inside(x) && inside(y);
+}
+
+uint8_t TileLabeller::Nearest(uint32_t x, uint32_t y) const {
+  const bool right = 2 * x >= task_.size;
+  const bool top = 2 * y >= task_.size;
+  if (task_.kind == TileKind::kCorner) return static_cast<uint8_t>(right + 2 * top);
+  const uint32_t across = std::min(x, task_.size - 1 - x);
+  const uint32_t up = std::min(y, task_.size - 1 - y);
+  if (up <= across) return top ? 2 : 0;
+  return right ? 1 : 3;
+}
+
+// Which border the texel is at, as an index of colours; kNoBorder for most.
+uint32_t TileLabeller::BorderAt(uint32_t x, uint32_t y, uint32_t side) const {
+  const uint32_t depth =
+      task_.kind == TileKind::kCorner ? std::max(BorderDepth(task_.size) >> scale_, 1u) : 1;
+  if (y < depth) return 0;
+  if (y + depth >= side) return 2;
+  if (x + depth >= side) return 1;
+  return x < depth ? 3 : kNoBorder;
+}
+
+bool TileLabeller::IsFixed(uint32_t x, uint32_t y, uint32_t side, uint8_t& label) const {
+  const uint32_t border = BorderAt(x, y, side);
+  if (border == kNoBorder) return false;
+  if (task_.kind == TileKind::kWang) {
+    label = static_cast<uint8_t>(border);
+    return true;
+  }
+  const bool stands = border % 2 == 1;
+  const uint32_t along = Middle(stands ? y : x);
+  const uint32_t across = Middle(stands ? x : y);
+  const bool far = border == 1 || border == 2;
+  // Rows of the seam: those before the border are at the far side of a tile.
+  const uint32_t depth = BorderDepth(task_.size);
+  const uint32_t row =
+      far ? depth - std::min(task_.size - across, depth) : depth + std::min(across, depth - 1);
+  const bool second = along >= task_.borders[border][row];
+  constexpr uint8_t kLabels[4][2] = {{0, 1}, {1, 3}, {2, 3}, {0, 2}};
+  label = kLabels[border][second ? 1 : 0];
+  return true;
+}
+
+TileCut TileLabeller::EmptyCut(uint32_t scale) {
+  scale_ = scale;
+  TileCut cut;
+  cut.side = SideAt(task_.size, scale);
+  cut.labels.resize(size_t{cut.side} * cut.side);
+  cut.allowed.resize(cut.labels.size());
+  cut.cost = [this, scale](uint32_t x, uint32_t y, uint32_t a, uint32_t b) {
+    const auto place = [&](uint32_t label) {
+      const TexelPlace& patch = patches_[label];
+      return TexelPlace{(patch.x >> scale) + x, (patch.y >> scale) + y};
+    };
+    return sample_.SeamCost(scale, place(a), place(b));
+  };
+  return cut;
+}
+
+TileCut TileLabeller::Coarsest() {
+  TileCut cut = EmptyCut(ScalesOfTile(task_.size) - 1);
+  for (uint32_t y = 0; y < cut.side; ++y) {
+    for (uint32_t x = 0; x < cut.side; ++x) {
+      uint8_t& label = cut.labels[y * cut.side + x];
+      uint8_t& allowed = cut.allowed[y * cut.side + x];
+      if (IsFixed(x, y, cut.side, label)) {
+        allowed = static_cast<uint8_t>(1u << label);
+        continue;
+      }
+      label = Nearest(Middle(x), Middle(y));
+      allowed = static_cast<uint8_t>(Reaching(Middle(x), Middle(y)) | 1u << label);
+    }
+  }
+  cut.Improve();
+  return cut;
+}
+
+// The middle is where the seams of all patches meet, often dearly.
+void TileLabeller::TryMiddles(TileCut& cut) {
+  const TileCut without = cut;
+  int64_t least = without.Energy();
+  TexelPlace best;
+  bool any = false;
+  for (const TexelPlace& middle : task_.middles) {
+    patches_.resize(kMiddlePatch);
+    patches_.push_back(middle);
+    TileCut with = without;
+    for (uint32_t i = 0; i < with.allowed.size(); ++i) {
+      const bool inside = InMiddle(Middle(i % cut.side), Middle(i / cut.side));
+      if (inside && !std::has_single_bit(with.allowed[i])) with.allowed[i] |= 1u << kMiddlePatch;
+    }
+    with.Improve((1u << kMiddlePatch) - 1);
+    const int64_t energy = with.Energy();
+    if (energy >= least) continue;
+    least = energy;
+    best = middle;
+    any = true;
+    cut = std::move(with);
+  }
+  patches_.resize(kMiddlePatch);
+  if (any) patches_.push_back(best);
+}
+
+// The coarse labels, a scale finer.
+TileCut TileLabeller::Finer(const TileCut& coarse) {
+  TileCut cut = EmptyCut(scale_ - 1);
+  for (uint32_t y = 0; y < cut.side; ++y) {
+    for (uint32_t x = 0; x < cut.side; ++x) {
+      uint8_t& label = cut.labels[y * cut.side + x];
+      if (IsFixed(x, y, cut.side, label)) continue;
+      label = coarse.labels[y / 2 * coarse.side + x / 2];
+      const uint32_t reaching = Reaching(Middle(x), Middle(y)) | 1u << kMiddlePatch;
+      if (!(reaching >> label & 1)) label = Nearest(Middle(x), Middle(y));
+    }
+  }
+  return cut;
+}
+
+// Texels near a seam may have the labels that are near.
+void TileLabeller::FreeBand(TileCut& cut) const {
+  const int64_t side = cut.side;
+  const auto spread = [&](const std::vector<uint8_t>& from, int64_t stride_x, int64_t stride_y) {
+    std::vector<uint8_t> to(from.size());
+    for (int64_t i = 0; i < side; ++i) {
+      for (int64_t j = 0; j < side; ++j) {
+        uint8_t set = 0;
+        const int64_t end = std::min(j + kBand, side - 1);
+        for (int64_t k = std::max<int64_t>(j - kBand, 0); k <= end; ++k)
+          set |= from[static_cast<size_t>(i * stride_y + k * stride_x)];
+        to[static_cast<size_t>(i * stride_y + j * stride_x)] = set;
+      }
+    }
+    return to;
+  };
+  std::vector<uint8_t> sets(cut.labels.size());
+  for (size_t i = 0; i < sets.size(); ++i) sets[i] = static_cast<uint8_t>(1u << cut.labels[i]);
+  sets = spread(spread(sets, 1, side), side, 1);
+  for (uint32_t y = 0; y < cut.side; ++y) {
+    for (uint32_t x = 0; x < cut.side; ++x) {
+      const size_t i = size_t{y} * cut.side + x;
+      uint8_t label = cut.labels[i];
+      uint32_t allowed = 0;
+      if (!IsFixed(x, y, cut.side, label)) {
+        allowed = Reaching(Middle(x), Middle(y));
+        if (InMiddle(Middle(x), Middle(y))) allowed |= 1u << kMiddlePatch;
+      }
+      cut.allowed[i] = static_cast<uint8_t>((allowed & sets[i]) | 1u << label);
+    }
+  }
+}
+
+LabelledTile TileLabeller::Label() {
+  patches_ = task_.patches;
+  TileCut cut = Coarsest();
+  TryMiddles(cut);
+  while (scale_ > 0) {
+    cut = Finer(cut);
+    FreeBand(cut);
+    cut.Improve();
+  }
+  return {std::move(cut.labels), patches_};
+}
+
+}  // namespace
+
+uint32_t ScalesOfTile(uint32_t size) {
+  uint32_t scale = 0;
+  while (SideAt(size, scale) > kCoarseSide) ++scale;
+  return scale + 1;
+}
+
+LabelledTile LabelTile(const TileSample& sample, const TileTask& task) {
+  return TileLabeller(sample, task).Label();
+}
+
+}  // namespace texgraph::textures

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/textures/tile_levels.h"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <new>
+#include <span>
+
+#include "compiler/textures/texel_chain.h"
+
+namespace texgraph::textures {
+namespace {
+
+// The mean of the tiles alone: gutters would count some of them twice.
+ir::Texel MeanOfTiles(const ir::Texture::Level& level, const TilePackLayout& layout,
+                      bool alpha_is_opacity) {
+  std::array<double, 4> sum{};
+  double weights = 0;
+  const size_t rows = size_t{layout.rows} * layout.tile_size;
+  for (size_t i = size_t{layout.gutter} * level.width; i < (layout.gutter + rows) * level.width;
+       ++i) {
+    const ir::Texel& texel = level.texels[i];
+    const double weight = alpha_is_opacity ? double{texel[3]} + double{kLeastOpacity} : 1.0;
+    for (size_t c = 0; c < 3; ++c) sum[c] += weight * double{texel[c]};
+    sum[3] += double{texel[3]};
+    weights += weight;
+  }
+  ir::Texel mean;
+  for (size_t c = 0; c < 3; ++c) mean[c] = static_cast<float>(sum[c] / weights);
+  mean[3] = static_cast<float>(sum[3] / static_cast<double>(rows * level.width));
+  return mean;
+}
+
+TextureData BuildTexture(const Image& pack, const TilePackLayout& layout,
+                         const TextureOptions& options) {
+  const uint32_t coarsest = TileMaxLevel(layout.tile_size);
+  uint32_t last = options.mipmaps ? coarsest : 0;
+  if (options.max_level) last = std::min(last, *options.max_level);
+  TextureOptions flat = options;
+  flat.is_array = flat.is_3d = false;
+  flat.max_level = last;
+  flat.wrap_u = ir::Wrap::kRepeat;
+  flat.wrap_v = layout.gutter > 0 ? ir::Wrap::kClamp : ir::Wrap::kRepeat;
+  ir::Texture chain;
+  chain.sampler = SamplerFor(flat);
+  ir::Texture::Level& base = chain.levels.emplace_back();
+  base.width = pack.width;
+  base.height = pack.height;
+  base.texels.reserve(size_t{pack.width} * pack.height);
+  AppendPicture(pack, options.srgb, base.texels);
+  if (last > 0) BuildLevels(chain, options.alpha_is_opacity);
+  chain.levels.resize(last + 1);
+  if (last > 0 && last == coarsest) {
+    const ir::Texel mean = MeanOfTiles(chain.levels[0], layout, options.alpha_is_opacity);
+    for (ir::Texel& texel : chain.levels[last].texels) texel = mean;
+  }
+  return EncodeLevels(chain, FormatFor({&pack, 1}, options));
+}
+
+}  // namespace
+
+uint32_t TileMaxLevel(uint32_t tile_size) {
+  return static_cast<uint32_t>(std::bit_width(tile_size)) - 1;
+}
+
+std::optional<TextureData> MakeTileTexture(const Image& pack, const TilePackLayout& layout,
+                                           const TextureOptions& options, std::string_view name,
+                                           SourceRange range, Diagnostics& diagnostics) {
+  if (pack.width != layout.width() || pack.height != layout.height()) {
+    diagnostics.Error(
+        DiagnosticKind::kBadImage, range,
+        fmt::format(
+            "the tiles of texture '{}' have {} x {} pixels; {} x {} tiles of {} take {} x {}",
+            Printable(name), pack.width, pack.height, layout.columns, layout.rows, layout.tile_size,
+            layout.width(), layout.height()));
+    return std::nullopt;
+  }
+  if (!CheckPixels(uint64_t{pack.width} * pack.height, name, range, diagnostics)) {
+    return std::nullopt;
+  }
+  try {
+    return BuildTexture(pack, layout, options);
+  } catch (const std::bad_alloc&) {
+    ReportNoMemory(name, range, diagnostics);
+    return std::nullopt;
+  }
+}
+
+}  // namespace texgraph::textures

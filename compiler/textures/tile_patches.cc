@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/textures/tile_patches.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+
+#include "compiler/textures/tile_seams.h"
+
+namespace texgraph::textures {
+namespace {
+
+using Origin = std::array<int64_t, 2>;
+
+// More starts find nothing better, as a rule.
+constexpr size_t kMaxStarts = 256;
+constexpr int kMaxSweeps = 8;
+
+uint32_t Pcg(uint32_t value) {
+  const uint32_t state = value * 747796405u + 2891336453u;
+  const uint32_t word = ((state >> (state >> 28 & 15)) >> 4 ^ state) * 277803737u;
+  return word >> 22 ^ word;
+}
+
+// Places of one kind of colour: corners, edges that lie, edges that stand.
+enum class PatchKind : uint8_t { kCorner, kLies, kStands };
+
+struct Patches {
+  PatchKind kind;
+  uint32_t count = 0;  // of colours
+  std::vector<Origin> origins;
+};
+
+// Along an axis a patch is used from `first` to before `end`, from its left bottom texel.
+struct UsedPart {
+  int64_t first;
+  int64_t end;
+};
+
+UsedPart UsedOf(PatchKind kind, int axis, uint32_t tile_size) {
+  const int64_t size = tile_size;
+  const int64_t reach = TileReach(tile_size);
+  const bool along =
+      (kind == PatchKind::kLies && axis == 0) || (kind == PatchKind::kStands && axis == 1);
+  return along ? UsedPart{0, size} : UsedPart{size - reach, size + reach};
+}
+
+class PatchSearch {
+ public:
+  PatchSearch(const TileSample& sample, const TilePackLayout& layout, const TileSetOptions& options,
+              uint32_t scale)
+      : sample_(sample), layout_(layout), options_(options), scale_(scale) {
+    if (layout.kind == TileKind::kCorner) {
+      kinds_ = {{PatchKind::kCorner, layout.colors[0], {}}};
+    } else {
+      kinds_ = {{PatchKind::kLies, layout.colors[0], {}},
+                {PatchKind::kStands, layout.colors[1], {}}};
+    }
+    for (size_t k = 0; k < kinds_.size(); ++k) {
+      for (uint32_t i = 0; i < options.candidates; ++i)
+        kinds_[k].origins.push_back(RandomOrigin(kinds_[k].kind, 2 * i + static_cast<uint32_t>(k)));
+      for (uint32_t i = 0; i < kinds_[k].count; ++i) slots_.push_back(k);
+    }
+  }
+
+  void RatePairs(TileWork& work);
+  std::vector<Origin> BestSet() const;
+
+ private:
+  // Candidates of all kinds stand in one row, those of a kind behind each other.
+  size_t Total() const { return kinds_.size() * options_.candidates; }
+  const Origin& OriginOf(size_t i) const {
+    return kinds_[i / options_.candidates].origins[i % options_.candidates];
+  }
+  PatchKind KindOf(size_t i) const { return kinds_[i / options_.candidates].kind; }
+
+  Origin RandomOrigin(PatchKind kind, uint32_t stream) const;
+  TexelPlace AtScale(const Origin& origin, int64_t x, int64_t y) const {
+    return {(origin[0] + x) >> scale_, (origin[1] + y) >> scale_};
+  }
+  int64_t Roughness(size_t i) const;
+  // Of all seams that the two can have with each other, in whatever order.
+  int64_t SeamsOf(size_t i, size_t j) const;
+  int64_t CornerSeams(const Origin& a, const Origin& b) const;
+  int64_t EdgeSeams(const Origin& lies, const Origin& stands) const;
+  int64_t EdgeEnds(bool stands, const Origin& a, const Origin& b) const;
+  // 0 for places half a tile apart or further, 1 for the same one.
+  double Overlap(size_t i, size_t j) const;
+  double CostOf(const std::vector<size_t>& set, size_t slot, size_t candidate) const;
+  double Improve(std::vector<size_t>& set) const;
+
+  const TileSample& sample_;
+  const TilePackLayout& layout_;
+  const TileSetOptions& options_;
+  uint32_t scale_;
+  std::vector<Patches> kinds_;
+  std::vector<size_t> slots_;  // the kind of each colour
+  std::vector<float> costs_;   // of pairs, both ways
+};
+
+Origin PatchSearch::RandomOrigin(PatchKind kind, uint32_t stream) const {
+  Origin origin;
+  for (int axis = 0; axis < 2; ++axis) {
+    const int64_t size = axis == 0 ? sample_.width() : sample_.height();
+    const UsedPart used = UsedOf(kind, axis, layout_.tile_size);
+    const int64_t places = sample_.wraps() ? size : size - (used.end - used.first) + 1;
+    const uint32_t random = TileHash(options_.seed, 2 * stream + static_cast<uint32_t>(axis));
+    origin[static_cast<size_t>(axis)] =
+        static_cast<int64_t>(uint64_t{random} * static_cast<uint64_t>(places) >> 32) - used.first;
+  }
+  return origin;
+}
+
+// Sum of the steps between neighbours on a grid over what is used of the patch.
+int64_t PatchSearch::Roughness(size_t i) const {
+  const UsedPart columns = UsedOf(KindOf(i), 0, layout_.tile_size);
+  const UsedPart rows = UsedOf(KindOf(i), 1, layout_.tile_size);
+  const int64_t step = int64_t{1} << scale_;
+  int64_t sum = 0;
+  int64_t count = 0;
+  for (int64_t y = rows.first; y + step < rows.end; y += step) {
+    for (int64_t x = columns.first; x + step < columns.end; x += step, count += 2) {
+      const TexelPlace at = AtScale(OriginOf(i), x, y);
+      sum += sample_.Difference(scale_, at, {at.x + 1, at.y}) +
+             sample_.Difference(scale_, at, {at.x, at.y + 1});
+    }
+  }
+  return sum / std::max<int64_t>(count, 1);
+}
+
+int64_t PatchSearch::CornerSeams(const Origin& a, const Origin& b) const {
+  const int64_t size = layout_.tile_size;
+  const uint32_t side = (layout_.tile_size + (1u << scale_) - 1) >> scale_;
+  const int64_t length = std::max<int64_t>(side / 2, 1);
+  const TexelPlace from = AtScale(a, size, size);
+  return SeamBetween({sample_, scale_, side, from, AtScale(b, 0, size)}, false, length) +
+         SeamBetween({sample_, scale_, side, from, AtScale(b, size, 0)}, true, length);
+}
+
+int64_t PatchSearch::EdgeSeams(const Origin& lies, const Origin& stands) const {
+  const int64_t size = layout_.tile_size;
+  const uint32_t side = (layout_.tile_size + (1u << scale_) - 1) >> scale_;
+  int64_t cost = 0;
+  for (const bool top : {false, true}) {
+    for (const bool right : {false, true}) {
+      const TilePair pair{sample_, scale_, side, AtScale(lies, 0, top ? 0 : size),
+                          AtScale(stands, right ? 0 : size, 0)};
+      cost += SeamFromCorner(pair, right, top);
+    }
+  }
+  return cost;
+}
+
+int64_t PatchSearch::EdgeEnds(bool stands, const Origin& a, const Origin& b) const {
+  const int64_t size = layout_.tile_size;
+  const uint32_t side = (layout_.tile_size + (1u << scale_) - 1) >> scale_;
+  const TexelPlace start = stands ? AtScale(b, size, 0) : AtScale(b, 0, size);
+  return MismatchAround({sample_, scale_, side, AtScale(a, size, size), start},
+                        std::max<int64_t>(side / 16, 1));
+}
+
+int64_t PatchSearch::SeamsOf(size_t i, size_t j) const {
+  const Origin& a = OriginOf(i);
+  const Origin& b = OriginOf(j);
+  const PatchKind kind = KindOf(i);
+  if (kind == PatchKind::kCorner) return CornerSeams(a, b) + (i == j ? 0 : CornerSeams(b, a));
+  if (kind == KindOf(j)) {
+    const bool stands = kind == PatchKind::kStands;
+    return EdgeEnds(stands, a, b) + (i == j ? 0 : EdgeEnds(stands, b, a));
+  }
+  return kind == PatchKind::kLies ? EdgeSeams(a, b) : EdgeSeams(b, a);
+}
+
+void PatchSearch::RatePairs(TileWork& work) {
+  const size_t total = Total();
+  costs_.resize(total * total);
+  std::vector<int64_t> roughness(total);
+  for (size_t i = 0; i < total; ++i) roughness[i] = Roughness(i);
+  int64_t mean = 0;
+  for (int64_t value : roughness) mean += value;
+  mean = std::max<int64_t>(mean / static_cast<int64_t>(total), 1);
+  ForEachTile(static_cast<uint32_t>(total), options_.threads, [&](uint32_t i) {
+    for (size_t j = i; j < total; ++j) {
+      // What is rough hides seams; without this the dullest places of the sample would win.
+      const auto rough = static_cast<double>(roughness[i] + roughness[j] + mean);
+      const double cost = static_cast<double>(SeamsOf(i, j)) / rough;
+      costs_[i * total + j] = costs_[j * total + i] = static_cast<float>(cost);
+    }
+    work.Add(total - i);
+  });
+  double sum = 0;
+  for (float cost : costs_) sum += double{cost};
+  const double usual = sum / static_cast<double>(costs_.size());
+  for (size_t i = 0; i < total; ++i) {
+    for (size_t j = 0; j < total; ++j) {
+      if (i != j) costs_[i * total + j] += static_cast<float>(4 * usual * Overlap(i, j));
+    }
+  }
+}
+
+double PatchSearch::Overlap(size_t i, size_t j) const {
+  int64_t distance = 0;
+  for (int axis = 0; axis < 2; ++axis) {
+    const auto middle = [&](size_t candidate) {
+      const UsedPart used = UsedOf(KindOf(candidate), axis, layout_.tile_size);
+      return 2 * OriginOf(candidate)[static_cast<size_t>(axis)] + used.first + used.end;
+    };
+    int64_t apart = std::abs(middle(i) - middle(j));
+    const int64_t size = 2 * int64_t{axis == 0 ? sample_.width() : sample_.height()};
+    if (sample_.wraps()) apart = std::min(apart % size, size - apart % size);
+    distance = std::max(distance, apart);
+  }
+  return std::max(0.0, 1.0 - static_cast<double>(distance) / layout_.tile_size);
+}
+
+double PatchSearch::CostOf(const std::vector<size_t>& set, size_t slot, size_t candidate) const {
+  const size_t total = Total();
+  double cost = double{costs_[candidate * total + candidate]};
+  for (size_t other = 0; other < set.size(); ++other) {
+    if (other != slot) {
+      // The same candidate twice would be no second colour.
+      cost += set[other] == candidate ? 1e30 : double{costs_[candidate * total + set[other]]};
+    }
+  }
+  return cost;
+}
+
+// Each colour in turn takes the best candidate, the others given; the cost of all.
+double PatchSearch::Improve(std::vector<size_t>& set) const {
+  bool changed = true;
+  for (int sweep = 0; sweep < kMaxSweeps && changed; ++sweep) {
+    changed = false;
+    for (size_t slot = 0; slot < set.size(); ++slot) {
+      double least = CostOf(set, slot, set[slot]);
+      for (size_t i = 0; i < options_.candidates; ++i) {
+        const size_t candidate = slots_[slot] * options_.candidates + i;
+        const double cost = CostOf(set, slot, candidate);
+        if (cost >= least) continue;
+        least = cost;
+        set[slot] = candidate;
+        changed = true;
+      }
+    }
+  }
+  const size_t total = Total();
+  double cost = 0;
+  for (size_t slot = 0; slot < set.size(); ++slot) {
+    cost += CostOf(set, slot, set[slot]) + double{costs_[set[slot] * total + set[slot]]};
+  }
+  return cost / 2;
+}
+
+std::vector<Origin> PatchSearch::BestSet() const {
+  std::vector<size_t> best;
+  double least = std::numeric_limits<double>::max();
+  for (size_t start = 0; start < std::min<size_t>(options_.candidates, kMaxStarts); ++start) {
+    std::vector<size_t> set;
+    for (size_t kind : slots_) {
+      // First any that differ; the sweeps do the rest.
+      const size_t i = (start + set.size()) % options_.candidates;
+      set.push_back(kind * options_.candidates + i);
+    }
+    const double cost = Improve(set);
+    if (cost >= least) continue;
+    least = cost;
+    best = set;
+  }
+  std::vector<Origin> origins;
+  for (size_t candidate : best) origins.push_back(OriginOf(candidate));
+  return origins;
+}
+
+}  // namespace
+
+uint32_t TileHash(uint32_t seed, uint32_t stream) { return Pcg(stream + Pcg(seed)); }
+
+std::vector<TexelPlace> PatchesOfTile(const TilePackLayout& layout,
+                                      const std::vector<Origin>& patches,
+                                      const TileColors& colors) {
+  const int64_t size = layout.tile_size;
+  const auto place = [&](size_t patch, int64_t x, int64_t y) {
+    return TexelPlace{patches[patch][0] + x, patches[patch][1] + y};
+  };
+  if (layout.kind == TileKind::kCorner) {
+    return {place(colors[0], size, size), place(colors[1], 0, size), place(colors[2], size, 0),
+            place(colors[3], 0, 0)};
+  }
+  const size_t stands = layout.colors[0];
+  return {place(colors[0], 0, size), place(stands + colors[1], 0, 0), place(colors[2], 0, 0),
+          place(stands + colors[3], size, 0)};
+}
+
+std::vector<Origin> ChoosePatches(const TileSample& sample, const TilePackLayout& layout,
+                                  const TileSetOptions& options, uint32_t scale, TileWork& work) {
+  PatchSearch search(sample, layout, options, scale);
+  search.RatePairs(work);
+  return search.BestSet();
+}
+
+std::vector<uint32_t> SeamOverBorder(const TileSample& sample, uint32_t tile_size, bool stands,
+                                     const Origin& from, const Origin& to) {
+  const int64_t size = tile_size;
+  const TexelPlace a{from[0] + size, from[1] + size};
+  const TexelPlace b{to[0] + (stands ? size : 0), to[1] + (stands ? 0 : size)};
+  return SeamPath({sample, 0, tile_size, a, b}, stands, std::max<int64_t>(size / 4, 1),
+                  BorderDepth(tile_size));
+}
+
+}  // namespace texgraph::textures
