@@ -9,6 +9,10 @@ set(TEXGRAPH_STDLIB_BLOCKS
   bombing/bomb_reach.glsl
   bombing/copy_bits.glsl
   bombing/copy_bits3.glsl
+  by_example/hex_frame.glsl
+  by_example/hex_shares.glsl
+  by_example/hex_tiling.glsl
+  by_example/hex_tiling_normal.glsl
   cellular/blend_tiles.glsl
   cellular/smooth_voronoi.glsl
   cellular/smooth_voronoi_mean.glsl

@@ -93,5 +93,9 @@ Picture MakeInsects();
 Picture MakeDaisy();
 Picture MakeFlowers();
 Picture MakeFlowerBeds();
+Picture MakeLawn();
+Picture MakeGravel();
+Picture MakeGravelHeight();
+Picture MakeGravelRelief();
 
 }  // namespace texgraph::pictures

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The commands of docs/patterns.md, docs/bombing.md and docs/rendering.md do what the pages say, in
-// pictures that are smaller.
+// The commands of docs/patterns.md, docs/bombing.md, docs/by_example.md and docs/rendering.md do
+// what the pages say, in pictures that are smaller.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -99,6 +99,8 @@ class Pages : public testing::Test {
 TEST_F(Pages, Patterns) { EXPECT_GE(Run("docs/patterns.md"), 19u); }
 
 TEST_F(Pages, Bombing) { EXPECT_GE(Run("docs/bombing.md"), 2u); }
+
+TEST_F(Pages, ByExample) { EXPECT_GE(Run("docs/by_example.md"), 3u); }
 
 TEST_F(Pages, Rendering) { EXPECT_GE(Run("docs/rendering.md", "thing.glb"), 11u); }
 

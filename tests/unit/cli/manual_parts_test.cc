@@ -107,6 +107,15 @@ std::map<std::string, std::vector<Rest>> RestOfPages() {
                        R"("patterns": "ground", "tile": "tiles", "pattern": "which")") +
                   ", ",
               R"("color": "shown")")}},
+      {"docs/by_example.md",
+       {Nodes(R"("lawn": {"file": "g0.png"})", "", R"("color": "everywhere")"),
+        Nodes(
+            R"("stones_map": {"file": "g0.png"}, "relief": {"file": "g1.png", "color_space": "data"},
+              "heights": {"file": "g2.png", "color_space": "data"})",
+            R"("picture": {"block": "image", "in": {"picture": "stones_map"}})" +
+                ImageOf("texel", "relief") + Node("slope", "normal_map", R"("texel": "texel")") +
+                ImageOf("height_texel", "heights") + ", ",
+            R"("color": "stones", "normal": "facing")")}},
       {"docs/grids.md",
        {Nodes("", "", R"("height": "tone", "opacity": "gap")"),
         Nodes(R"("where_moss_grows": {"file": "g0.png"}, "moss": {"file": "g1.png"})",
