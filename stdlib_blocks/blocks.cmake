@@ -5,8 +5,10 @@ set(TEXGRAPH_STDLIB_BLOCKS
   bombing/bomb3.glsl
   bombing/bomb3_cells.glsl
   bombing/bomb3_reach.glsl
+  bombing/bomb3_rivals.glsl
   bombing/bomb_cells.glsl
   bombing/bomb_reach.glsl
+  bombing/bomb_rivals.glsl
   bombing/copy_bits.glsl
   bombing/copy_bits3.glsl
   by_example/hex_frame.glsl

@@ -88,6 +88,7 @@ struct Space {
   int copies = 1;
   double density = 1;
   uint32_t seed = 0;
+  double spacing = 0;
 };
 
 struct Body {
@@ -133,6 +134,24 @@ inline Body BodyAt(const Space& space, const std::array<int32_t, 3>& cell, int c
   return body;
 }
 
+// Whether another copy of at least its rank is nearer than the spacing to one of a cell.
+inline bool IsCrowded(const Space& space, const std::array<int32_t, 3>& cell, int copy) {
+  constexpr int kFar = 3;
+  const Body own = BodyAt(space, cell, copy, {});
+  for (int z = cell[2] - kFar; z <= cell[2] + kFar; ++z) {
+    for (int y = cell[1] - kFar; y <= cell[1] + kFar; ++y) {
+      for (int x = cell[0] - kFar; x <= cell[0] + kFar; ++x) {
+        for (int i = 0; i < space.copies; ++i) {
+          if (std::array<int32_t, 3>{x, y, z} == cell && i == copy) continue;
+          const Body other = BodyAt(space, {x, y, z}, i, own.centre);
+          if (other.rank >= own.rank && other.distance < space.spacing) return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
 // Those at p, given in cells, in the order of slices, rows, columns and numbers.
 inline std::vector<Body> BodiesAt(const Space& space, const Vec3& p) {
   constexpr int kFar = 4;
@@ -146,7 +165,9 @@ inline std::vector<Body> BodiesAt(const Space& space, const Vec3& p) {
           const uint32_t seed = CopyBits3(x, y, z, copy, space.seed).bits;
           if (Unit24(Pcg(seed - 3)) >= space.density) continue;
           Body body = BodyAt(space, {x, y, z}, copy, p);
-          if (body.edge > -0.1) bodies.push_back(body);
+          if (body.edge <= -0.1) continue;
+          if (space.spacing > 0 && IsCrowded(space, {x, y, z}, copy)) continue;
+          bodies.push_back(body);
         }
       }
     }

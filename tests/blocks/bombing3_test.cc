@@ -151,6 +151,36 @@ TEST(Bomb3Test, TumblesAndShrinks) {
                 IsOfHigherRank);
 }
 
+TEST(Bomb3Test, LeavesOutCopiesThatAreTooNear) {
+  ExpectTopmost(
+      R"(, "spacing": 0.7, "copies": 2, "shape": "ball", "size": 1.6, "seed": 4)",
+      {.size_min = 1.6, .size_max = 1.6, .is_ball = true, .copies = 2, .seed = 4, .spacing = 0.7},
+      IsOfHigherRank);
+  const std::vector<Point> points = Scatter(250);
+  auto own = Draw(R"(, "spacing": 0.7, "meet": "sum")", points);
+  auto more = Draw(R"(, "spacing": 0.7, "meet": "sum", "rivals": [4, 4, 4])", points);
+  auto less = Draw(R"(, "spacing": 0.7, "meet": "sum", "rivals": [2, 2, 2])", points);
+  EXPECT_EQ(own["color"].words, more["color"].words);
+  EXPECT_NE(own["color"].words, less["color"].words);
+}
+
+// A number says the same as a range that has no other; below 0 it is chance again.
+TEST(Bomb3Test, SizesAndAnglesMayBeTold) {
+  const std::vector<Point> points = Scatter(300);
+  auto told = Draw(R"(, "size": [0.5, 1.5], "rotation": [-90, 30], "size_at": 0.25,
+                      "rotation_at": 0.5)",
+                   points);
+  auto fixed = Draw(R"(, "size": 0.75, "rotation": -30)", points);
+  for (size_t i = 0; i < points.size(); ++i) {
+    for (size_t c = 0; c < 4; ++c) {
+      ASSERT_NEAR(told["color"].Float(i, c), fixed["color"].Float(i, c), 1e-5) << i;
+    }
+  }
+  const std::string range = R"(, "size": [0.5, 1.5], "rotation": [-90, 30])";
+  auto chance = Draw(range + R"(, "size_at": -0.001, "rotation_at": -1)", points);
+  EXPECT_EQ(chance["color"].words, Draw(range, points)["color"].words);
+}
+
 TEST(Bomb3Test, OrdersByKeyOrNearnessOrRows) {
   const std::string sizes = R"(, "size": [0.6, 1.6], "copies": 2, "meet": )";
   const Space space{.size_min = 0.6, .size_max = 1.6, .copies = 2};
@@ -309,6 +339,14 @@ TEST(Bomb3Test, LooksAtAsManyCellsAsTheRangesNeed) {
     EXPECT_EQ(outputs["result"].Int(0, 1), c.rows);
     EXPECT_EQ(outputs["result"].Int(0, 2), c.slices);
   }
+}
+
+TEST(Bomb3Test, LooksAtAsManyRivalsAsSpacingNeeds) {
+  auto rivals = RunBlock("bomb3_rivals",
+                         {{"jitter", Vectors({{0, 0.5, 1}})}, {"spacing", Floats({0.7})}});
+  EXPECT_EQ(rivals["result"].Int(0, 0), 2);  // 1.4
+  EXPECT_EQ(rivals["result"].Int(0, 1), 2);  // 1.9
+  EXPECT_EQ(rivals["result"].Int(0, 2), 3);  // 2.4
 }
 
 // Identical to the bit with more cells, and not with fewer.

@@ -42,6 +42,8 @@ struct Plane {
   int copies = 1;
   double density = 1;
   uint32_t seed = 0;
+  bool is_hexagonal = false;
+  double spacing = 0;
 };
 
 struct Copy {
@@ -53,11 +55,38 @@ struct Copy {
   double distance = 0;  // from its centre
 };
 
+inline Point CentreOf(const Plane& plane, int x, int y, const std::array<uint32_t, 4>& bits) {
+  const double moved = plane.is_hexagonal && y % 2 != 0 ? 0.5 : 0;
+  const double height = plane.is_hexagonal ? std::sqrt(0.75) : 1;
+  return {x + 0.5 - moved + plane.jitter * static_cast<int32_t>(bits[0]) / 4294967296.0,
+          height * (y + 0.5 + plane.jitter * static_cast<int32_t>(bits[1]) / 4294967296.0)};
+}
+
+// Whether another copy of at least its rank is nearer than the spacing to one of cell (x, y).
+inline bool IsCrowded(const Plane& plane, int x, int y, int copy) {
+  constexpr int kFar = 5;
+  const auto own = CopyBits(x, y, copy, plane.seed);
+  const Point centre = CentreOf(plane, x, y, own);
+  for (int v = y - kFar; v <= y + kFar; ++v) {
+    for (int u = x - kFar; u <= x + kFar; ++u) {
+      for (int i = 0; i < plane.copies; ++i) {
+        const auto bits = CopyBits(u, v, i, plane.seed);
+        if ((u == x && v == y && i == copy) || bits[2] < own[2]) continue;
+        const Point other = CentreOf(plane, u, v, bits);
+        if (std::hypot(other.x - centre.x, other.y - centre.y) < plane.spacing) return true;
+      }
+    }
+  }
+  return false;
+}
+
 // Those at p, given in cells, in the order of rows, columns and numbers.
 inline std::vector<Copy> CopiesAt(const Plane& plane, Point p) {
   constexpr int kFar = 5;
   std::vector<Copy> copies;
-  const int column = static_cast<int>(std::floor(p.x)), row = static_cast<int>(std::floor(p.y));
+  const double height = plane.is_hexagonal ? std::sqrt(0.75) : 1;
+  const int column = static_cast<int>(std::floor(p.x));
+  const int row = static_cast<int>(std::floor(p.y / height));
   for (int y = row - kFar; y <= row + kFar; ++y) {
     for (int x = column - kFar; x <= column + kFar; ++x) {
       for (int i = 0; i < plane.copies; ++i) {
@@ -66,8 +95,9 @@ inline std::vector<Copy> CopiesAt(const Plane& plane, Point p) {
         copy.seed = bits[3];
         copy.rank = bits[2];
         if (Unit24(Pcg(copy.seed - 3)) >= plane.density) continue;
-        copy.centre = {x + 0.5 + plane.jitter * static_cast<int32_t>(bits[0]) / 4294967296.0,
-                       y + 0.5 + plane.jitter * static_cast<int32_t>(bits[1]) / 4294967296.0};
+        copy.centre = CentreOf(plane, x, y, bits);
+        if (std::hypot(p.x - copy.centre.x, p.y - copy.centre.y) > 0.75 * plane.size_max) continue;
+        if (plane.spacing > 0 && IsCrowded(plane, x, y, i)) continue;
         const uint32_t pose = Pcg(copy.seed - 2);
         copy.side = Mix(plane.size_min, plane.size_max, Low16(pose));
         copy.angle =

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -91,6 +92,144 @@ TEST(BombTest, TheHighestRankWins) {
                 IsOfHigherRank);
 }
 
+TEST(BombTest, MovesEverySecondRowOfHexagons) {
+  ExpectTopmost(R"(, "grid": "hexagon", "jitter": 0.4, "shape": "disc")",
+                {.jitter = 0.4, .is_disc = true, .is_hexagonal = true}, IsOfHigherRank);
+  ExpectTopmost(R"(, "grid": "hexagon", "size": [0.4, 1.7], "rotation": [-30, 200], "seed": 9)",
+                {.size_min = 0.4,
+                 .size_max = 1.7,
+                 .rotation_min = -30,
+                 .rotation_max = 200,
+                 .seed = 9,
+                 .is_hexagonal = true},
+                IsOfHigherRank);
+}
+
+TEST(BombTest, LeavesOutCopiesThatAreTooNear) {
+  ExpectTopmost(R"(, "spacing": 0.6, "copies": 3, "size": 1.2)",
+                {.size_min = 1.2, .size_max = 1.2, .copies = 3, .spacing = 0.6}, IsOfHigherRank);
+  ExpectTopmost(R"(, "spacing": 1.3, "jitter": 0.5, "size": 2.4, "grid": "hexagon", "seed": 3)",
+                {.jitter = 0.5,
+                 .size_min = 2.4,
+                 .size_max = 2.4,
+                 .seed = 3,
+                 .is_hexagonal = true,
+                 .spacing = 1.3},
+                IsOfHigherRank);
+}
+
+// Discs as wide as the spacing touch and do not overlap: nowhere is their sum more than one of them.
+// Of points anywhere, m others in reach of each in the mean, (1 - exp(-m)) / m stay (Matern 1960,
+// hard core of the second kind). Here m is less than n times the area, since a copy is no rival of
+// its own: by the part of the disc that lies in its cell, pi r^2 - 8/3 r^3 + r^4 / 2 in the mean.
+TEST(BombTest, SpacedDiscsDoNotOverlap) {
+  const std::vector<Point> points = Scatter(4000);
+  for (const char* text : {R"("spacing": 0.5, "size": 0.5)", R"("spacing": 0, "size": 0.5)"}) {
+    const std::string ports = std::string(R"(, "copies": 4, "shape": "disc", "edges": false,
+      "meet": "sum", "background": [0, 0, 0, 1], "tint": 1, )") +
+                              text;
+    const std::string graph = R"({"texgraph": 1,
+      "nodes": {"white": {"block": "rgba", "in": {"color": 1}},
+        "bomb": {"block": "bomb", "in": {"image": "white")" +
+                              ports + R"(}}},
+      "outputs": {"color": "bomb.color"}})";
+    auto outputs = RunGraph(graph, points, {1e-5, 1e-5}, 1e-3);
+    const bool is_spaced = ports.find("\"spacing\": 0.5") != std::string::npos;
+    double most = 0, sum = 0;
+    for (size_t i = 0; i < points.size(); ++i) {
+      most = std::max<double>(most, outputs["color"].Float(i));
+      sum += outputs["color"].Float(i);
+    }
+    const double share = sum / static_cast<double>(points.size());
+    const double area = std::numbers::pi * 0.25;
+    const auto covered = [&](double others) {
+      return 4 * (1 - std::exp(-others)) / others * area / 4;
+    };
+    if (is_spaced) {
+      EXPECT_EQ(most, 1);
+      EXPECT_GT(share, covered(4 * area));
+      EXPECT_LT(share, covered(4 * area - (area - 1.0 / 3 + 1.0 / 32)));
+    } else {
+      EXPECT_GE(most, 3);
+      EXPECT_NEAR(share, area, 0.05 * area);
+    }
+  }
+}
+
+// A number says the same as a range that has no other; below 0 it is chance again.
+TEST(BombTest, SizesAndAnglesMayBeTold) {
+  const std::vector<Point> points = Scatter(600);
+  auto told = Draw(R"(, "size": [0.5, 1.5], "rotation": [-90, 30], "size_at": 0.25,
+                      "rotation_at": 0.5)",
+                   points);
+  auto fixed = Draw(R"(, "size": 0.75, "rotation": -30)", points);
+  auto beyond = Draw(R"(, "size": [0.5, 0.75], "size_at": 7, "rotation": -30)", points);
+  auto chance = Draw(R"(, "size": [0.5, 1.5], "size_at": -0.001)", points);
+  auto usual = Draw(R"(, "size": [0.5, 1.5])", points);
+  for (size_t i = 0; i < points.size(); ++i) {
+    for (size_t c = 0; c < 4; ++c) {
+      ASSERT_NEAR(told["color"].Float(i, c), fixed["color"].Float(i, c), 1e-5) << i;
+      ASSERT_NEAR(beyond["color"].Float(i, c), fixed["color"].Float(i, c), 1e-5) << i;
+    }
+  }
+  EXPECT_EQ(chance["color"].words, usual["color"].words);
+}
+
+// Copies grow from the left to the right: a disc's side is that of its centre's place.
+TEST(BombTest, AsksSizesAtTheCentres) {
+  const std::string text = R"({"texgraph": 1,
+    "functions": {"across": {"inputs": {"uv": "vec2"}, "nodes": {
+        "p": {"block": "components", "in": {"vector": "uv"}},
+        "share": {"block": "remap", "in": {"value": "p.x", "in_low": -2, "in_high": 2}}},
+      "outputs": {"size": "share"}}},
+    "nodes": {"white": {"block": "rgba", "in": {"color": 1}},
+      "bomb": {"block": "bomb", "in": {"image": "white", "size": [0.2, 1.8], "size_at": "across",
+        "shape": "disc", "edges": false}}},
+    "outputs": {"color": "bomb.color"}})";
+  const std::vector<Point> points = Scatter(600);
+  auto outputs = RunGraph(text, points, {1e-5, 1e-5}, 1e-3);
+  int covered = 0, open = 0;
+  for (size_t i = 0; i < points.size(); ++i) {
+    const Plane plane{.size_min = 1.8, .size_max = 1.8, .is_disc = true};
+    double inside = -1;  // of the copy in which the point is furthest from the rim
+    for (const Copy& copy : CopiesAt(plane, {points[i].x * kScale, points[i].y * kScale})) {
+      const double share = (copy.centre.x / kScale + 2) / 4;
+      const double side = 0.2 + 1.6 * share;
+      inside = std::max(inside, 0.5 * side - copy.distance);
+    }
+    if (std::fabs(inside) < 1e-4) continue;
+    ASSERT_EQ(outputs["color"].Float(i, 3), inside > 0 ? 1 : 0) << i;
+    (inside > 0 ? covered : open) += 1;
+  }
+  EXPECT_GT(covered, 100);
+  EXPECT_GT(open, 100);
+}
+
+// Each copy has the colour that its tile chooses, over that of its image.
+TEST(BombTest, TintsEachCopy) {
+  const std::string text = R"({"texgraph": 1,
+    "functions": {"shade": {"inputs": {"tile": "Tile"}, "nodes": {
+        "luck": {"block": "tile_random", "in": {"tile": "tile"}},
+        "tint": {"block": "combine3", "in": {"x": "luck", "y": 0.5, "z": 2}}},
+      "outputs": {"tint": "tint"}}},
+    "nodes": {"image": {"block": "rgba", "in": {"color": [0.5, 0.25, 0.125]}},
+      "bomb": {"block": "bomb", "in": {"image": "image", "tint": "shade"}},
+      "luck": {"block": "tile_random", "in": {"tile": "bomb.tile"}},
+      "e": {"block": "combine3", "in": {"x": "luck"}}},
+    "outputs": {"color": "bomb.color", "emission": "e"}})";
+  const std::vector<Point> points = Scatter(300);
+  auto outputs = RunGraph(text, points, {1e-5, 1e-5}, 1e-4);
+  int covered = 0;
+  for (size_t i = 0; i < points.size(); ++i) {
+    if (outputs["color"].Float(i, 3) < 1) continue;
+    ++covered;
+    ASSERT_NEAR(outputs["color"].Float(i, 0), 0.5 * outputs["emission"].Float(i, 0), 1e-5) << i;
+    ASSERT_NEAR(outputs["color"].Float(i, 1), 0.125, 1e-6) << i;
+    ASSERT_NEAR(outputs["color"].Float(i, 2), 0.25, 1e-6) << i;
+  }
+  EXPECT_GT(covered, 100);
+}
+
 TEST(BombTest, OrdersByKeyOrNearnessOrRows) {
   const std::string sizes = R"(, "size": [0.6, 1.6], "copies": 2, "meet": )";
   const Plane plane{.size_min = 0.6, .size_max = 1.6, .copies = 2};
@@ -160,6 +299,16 @@ TEST(BombTest, LooksAtAsManyCellsAsTheRangesNeed) {
     EXPECT_EQ(outputs["result"].Int(0, 0), c.columns);
     EXPECT_EQ(outputs["result"].Int(0, 1), c.rows);
   }
+  // Rows of hexagons are nearer to each other: 2 / 0.866 = 2.31.
+  auto cells = RunBlock("bomb_cells", {{"grid", Word{"hexagon"}},
+                                       {"jitter", Vectors({{0.5, 0.5}})},
+                                       {"size", Vectors({{1.5, 1.5}})}});
+  EXPECT_EQ(cells["result"].Int(0, 0), 2);
+  EXPECT_EQ(cells["result"].Int(0, 1), 3);
+  auto rivals =
+      RunBlock("bomb_rivals", {{"jitter", Vectors({{0.5, 1}})}, {"spacing", Floats({1})}});
+  EXPECT_EQ(rivals["result"].Int(0, 0), 3);
+  EXPECT_EQ(rivals["result"].Int(0, 1), 3);
   auto reach = RunBlock(
       "bomb_reach",
       {{"size", Vectors({{1, 2}})}, {"rotation", Vectors({{0, 30}})}, {"shape", Word{"square"}}});
@@ -181,6 +330,8 @@ TEST(BombTest, NothingIsClipped) {
       {R"(, "size": [1.3, 1.4], "shape": "disc", "meet": "sum")", 3},
       {R"(, "size": [1.3, 1.4], "meet": "max", "seed": 4)", 3},
       {R"(, "size": 1.5, "meet": "rows", "wander": true, "phase": 17.3)", 3},
+      {R"(, "grid": "hexagon", "size": [0.5, 1.4], "shape": "disc", "meet": "sum")", 3},
+      {R"(, "grid": "hexagon", "jitter": 0.2, "spacing": 0.9, "size": 1.3)", 2},
   };
   std::vector<Point> points = ScatteredPoints(1500, -1.5, 1.5);
   for (Point p : ScatteredPoints(300, -1.5, 1.5)) points.push_back({p.x * 1e-4, p.y * 1e-4});
@@ -196,6 +347,47 @@ TEST(BombTest, NothingIsClipped) {
     EXPECT_EQ(own["color"].words, odd["color"].words) << c.ports;
     EXPECT_NE(own["color"].words, less["color"].words) << c.ports;
   }
+}
+
+// As with the cells that copies reach: identical with more that are asked whether they are too
+// near, and not with fewer.
+TEST(BombTest, LooksAtAsManyRivalsAsSpacingNeeds) {
+  const std::vector<Point> points = Scatter(500);
+  struct Case {
+    std::string ports;
+    int rivals;
+  };
+  const Case cases[] = {
+      {R"(, "spacing": 0.5, "copies": 2)", 2},
+      {R"(, "spacing": 1)", 3},
+      {R"(, "spacing": 0.69, "jitter": 0.4, "grid": "hexagon")", 2},
+  };
+  for (const Case& c : cases) {
+    auto with = [&](int rivals) {
+      const std::string number = std::to_string(rivals);
+      return Draw(c.ports + R"(, "rivals": [)" + number + ", " + number + "]", points);
+    };
+    auto own = Draw(c.ports, points);
+    EXPECT_EQ(own["color"].words, with(c.rivals)["color"].words) << c.ports;
+    EXPECT_EQ(own["color"].words, with(c.rivals + 1)["color"].words) << c.ports;
+    EXPECT_EQ(own["color"].words, with(c.rivals + 2)["color"].words) << c.ports;
+    EXPECT_NE(own["color"].words, with(c.rivals - 1)["color"].words) << c.ports;
+  }
+}
+
+// An odd period of rows becomes the next even one, so that moved rows close.
+TEST(BombTest, HexagonsRepeat) {
+  const std::vector<Point> points = Scatter(400);
+  std::vector<Point> moved;
+  for (Point p : points) moved.push_back({p.x + 5 / kScale, p.y + 4 * std::sqrt(0.75) / kScale});
+  const std::string ports = R"(, "grid": "hexagon", "period": [5, 3], "size": 1.4)";
+  auto here = Draw(ports, points), there = Draw(ports, moved);
+  int equal = 0;
+  for (size_t i = 0; i < points.size(); ++i) {
+    equal += std::fabs(here["color"].Float(i, 0) - there["color"].Float(i, 0)) < 1e-4 &&
+             here["emission"].Float(i, 0) == there["emission"].Float(i, 0);
+  }
+  EXPECT_GE(equal, 399);
 }
 
 }  // namespace

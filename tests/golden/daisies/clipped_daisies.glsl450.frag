@@ -29,6 +29,14 @@ uvec4 copy_bits(ivec2 cell) {
       + v.y * uvec4(2246822519u, 3432918353u, 461845907u, 389569706u);
 }
 
+// copy_at, of bomb (bombing/bomb.glsl)
+Copy copy_at(vec2 p, vec2 node) {
+  uvec4 bits = copy_bits(ivec2(node));
+  vec2 moved = vec2(ivec2(bits.xy)) * 2.3283064e-10;
+  Copy copy = Copy(p - node - moved);
+  return copy;
+}
+
 // paint, of bomb (bombing/bomb.glsl)
 vec4 paint(Copy copy, vec2 copy_from_dx, vec2 copy_from_dy) {
   vec4 seen = textureGrad(daisy, copy.from + 0.5, copy_from_dx, copy_from_dy);
@@ -36,12 +44,12 @@ vec4 paint(Copy copy, vec2 copy_from_dx, vec2 copy_from_dy) {
 }
 
 // in_order, of bomb (bombing/bomb.glsl)
-View in_order(vec2 p, vec2 corner, vec2 p_dx, vec2 p_dy) {
-  vec2 difference = p - corner - vec2(ivec2(copy_bits(ivec2(corner)).xy)) * 2.3283064e-10;
-  Copy copy = Copy(difference);
+View in_order(vec2 p, vec2 p_dx, vec2 p_dy) {
+  vec2 node = floor(p);
+  Copy copy = copy_at(p, node);
   vec3 light = vec3(0.0);
   float through = 1.0;
-  if (dot(difference, difference) < 0.25) {
+  if (dot(copy.from, copy.from) < 0.25) {
     vec4 seen = paint(copy, p_dx, p_dy);
     light = seen.xyz * seen.w;
     through = 1.0 - seen.w;
@@ -52,10 +60,9 @@ View in_order(vec2 p, vec2 corner, vec2 p_dx, vec2 p_dy) {
 // bomb (bombing/bomb.glsl)
 vec4 bomb(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
   vec2 p = uv * 8.0 - 0.5;
-  vec2 corner = floor(p);
   vec2 p_dx = uv_dx * 8.0;
   vec2 p_dy = uv_dy * 8.0;
-  View view = in_order(p, corner, p_dx, p_dy);
+  View view = in_order(p, p_dx, p_dy);
   vec3 below = vec3(0.07, 0.2, 0.03) * view.through;
   vec4 color = vec4(view.light + below, 1.0);
   return color;

@@ -12,6 +12,7 @@ layout(location = 0) out vec4 out_color;
 
 // Types
 struct Copy {
+  uint luck;
   vec2 from;
 };
 struct View {
@@ -29,20 +30,25 @@ uvec4 copy_bits(ivec2 cell) {
       + v.y * uvec4(2246822519u, 3432918353u, 461845907u, 389569706u);
 }
 
+// copy_at, of bomb (bombing/bomb.glsl)
+Copy copy_at(vec2 p, vec2 node) {
+  uvec4 bits = copy_bits(ivec2(node));
+  vec2 moved = vec2(ivec2(bits.xy)) * 2.3283064e-10;
+  Copy copy = Copy(bits.z, p - node - moved);
+  return copy;
+}
+
 // find_next, of bomb (bombing/bomb.glsl)
-void find_next(vec2 p, vec2 corner, uint last, out uint last_out, out Copy found) {
-  Copy found2 = Copy(p);
+void find_next(vec2 p, uint last, out uint last_out, out Copy found) {
+  Copy found2 = Copy(0u, p);
   uint best = 0u;
   for (int i = 0; i < 4; ++i) {
-    vec2 node = corner + vec2(ivec2(i % 2, i / 2));
-    uvec4 copy_bits_value = copy_bits(ivec2(node));
-    vec2 difference = p - node - vec2(ivec2(copy_bits_value.xy)) * 2.3283064e-10;
-    Copy copy = Copy(difference);
-    uvec2 away = floatBitsToUint(vec2(dot(difference, difference), 0.25));
-    bool is_next = all(lessThan(uvec3(best, copy_bits_value.z, away.x),
-        uvec3(copy_bits_value.z, last, away.y)));
+    vec2 node = floor(p) + vec2(ivec2(i % 2, i / 2));
+    Copy copy = copy_at(p, node);
+    uvec2 away = floatBitsToUint(vec2(dot(copy.from, copy.from), 0.25));
+    bool is_next = all(lessThan(uvec3(best, copy.luck, away.x), uvec3(copy.luck, last, away.y)));
     found2 = is_next ? copy : found2;
-    best = is_next ? copy_bits_value.z : best;
+    best = is_next ? copy.luck : best;
   }
   last_out = best;
   found = found2;
@@ -55,7 +61,7 @@ vec4 paint(Copy copy, vec2 copy_from_dx, vec2 copy_from_dy) {
 }
 
 // by_rank, of bomb (bombing/bomb.glsl)
-View by_rank(vec2 p, vec2 corner, vec2 p_dx, vec2 p_dy) {
+View by_rank(vec2 p, vec2 p_dx, vec2 p_dy) {
   vec4 sum = vec4(0.0);
   float open = 1.0;
   float through = 1.0;
@@ -63,7 +69,7 @@ View by_rank(vec2 p, vec2 corner, vec2 p_dx, vec2 p_dy) {
   for (int layer = 0; layer < 100 && open > 0.001; ++layer) {
     uint last2;
     Copy copy;
-    find_next(p, corner, last, last2, copy);
+    find_next(p, last, last2, copy);
     open = 0.0;
     if (last2 > 0u) {
       vec4 seen = paint(copy, p_dx, p_dy);
@@ -80,10 +86,9 @@ View by_rank(vec2 p, vec2 corner, vec2 p_dx, vec2 p_dy) {
 // bomb (bombing/bomb.glsl)
 vec4 bomb(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
   vec2 p = uv * 8.0 - 0.5;
-  vec2 corner = floor(p);
   vec2 p_dx = uv_dx * 8.0;
   vec2 p_dy = uv_dy * 8.0;
-  View view = by_rank(p, corner, p_dx, p_dy);
+  View view = by_rank(p, p_dx, p_dy);
   vec3 below = vec3(0.07, 0.2, 0.03) * view.through;
   vec4 color = vec4(view.light + below, 1.0);
   return color;

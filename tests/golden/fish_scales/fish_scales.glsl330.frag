@@ -35,6 +35,15 @@ struct View {
 const vec2 points[4] = vec2[4](vec2(0.0), vec2(0.3, 0.12), vec2(0.62, 0.75), vec2(1.0));
 const vec2 points2[4] = vec2[4](vec2(0.0, 1.0), vec2(0.6, 0.86), vec2(0.9, 0.5), vec2(1.0, 0.0));
 
+// node_at, of bomb (bombing/bomb.glsl)
+vec2 node_at(vec2 low, int number) {
+  vec2 node = vec2(ivec2(number % 2, number / 2));
+  float sum = node.y + floor(low.y);
+  float whole = floor(low.x + 0.5 * float(int(sum) & 1));
+  node = vec2(node.x + whole, sum);
+  return node;
+}
+
 // copy_bits (bombing/copy_bits.glsl)
 uvec4 copy_bits(ivec2 cell) {
   uvec2 c = uvec2(cell);
@@ -43,6 +52,14 @@ uvec4 copy_bits(ivec2 cell) {
   v ^= v >> 16u;
   return v.x * uvec4(3266489917u, 668265263u, 374761393u, 1664525u)
       + v.y * uvec4(2246822519u, 3432918353u, 461845907u, 389569706u);
+}
+
+// copy_at, of bomb (bombing/bomb.glsl)
+Copy copy_at(vec2 p, vec2 node) {
+  uvec4 bits = copy_bits(ivec2(node));
+  vec2 middle = vec2(node.x - 0.5 * float(int(node.y) & 1), node.y);
+  Copy copy = Copy(bits.w, p - vec2(1.0, 0.8660254) * middle);
+  return copy;
 }
 
 // sdf_ellipse (shapes/sdf_ellipse.glsl)
@@ -54,18 +71,18 @@ float sdf_ellipse(vec2 uv, vec2 uv_dx, vec2 uv_dy, out float result_dx, out floa
   vec2 q_dy = uv_dy * q_slope;
   vec2 t = vec2(0.70710677);
   for (int i = 0; i < 8; ++i) {
-    vec2 middle = vec2(-0.5003333, 0.30632654) * t * t * t;
+    vec2 middle = vec2(-0.30066743, 0.21248582) * t * t * t;
     vec2 away = q - middle;
-    float radius = distance(vec2(0.3, 0.49) * t, middle);
-    vec2 ratio = (middle + radius * away / max(length(away), 1e-20)) / vec2(0.3, 0.49);
+    float radius = distance(vec2(0.3, 0.4245) * t, middle);
+    vec2 ratio = (middle + radius * away / max(length(away), 1e-20)) / vec2(0.3, 0.4245);
     t = clamp(ratio, 1e-7, 1.0);
     t *= inversesqrt(dot(t, t));
   }
   vec2 nearest = floor(t * 16777216.0 + 0.5) * 5.9604645e-8;
-  vec2 unit = normalize(vec2(0.49, 0.3) * nearest);
+  vec2 unit = normalize(vec2(0.4245, 0.3) * nearest);
   result_dx = dot(q_dx, unit);
   result_dy = dot(q_dy, unit);
-  return dot(q - vec2(0.3, 0.49) * nearest, unit);
+  return dot(q - vec2(0.3, 0.4245) * nearest, unit);
 }
 
 // sdf_fill (shapes/sdf_fill.glsl)
@@ -75,35 +92,27 @@ float sdf_fill(float shape, float shape_dx, float shape_dy) {
   return clamp(share, 0.0, 1.0);
 }
 
-// scale_shape (function of the graph)
-vec4 scale_shape(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
-  // place: upright (function of the graph)
-  vec2 place = vec2(uv.x + mix(-0.25, 0.25, uv.y), uv.y);
-  vec2 place_dx = vec2(uv_dx.x + uv_dx.y * 0.5, uv_dx.y);
-  vec2 place_dy = vec2(uv_dy.x + uv_dy.y * 0.5, uv_dy.y);
-  // oval: sdf_ellipse (shapes/sdf_ellipse.glsl)
-  float oval_dx, oval_dy;
-  float oval = sdf_ellipse(place, place_dx, place_dy, oval_dx, oval_dy);
-  // mask: sdf_fill (shapes/sdf_fill.glsl)
-  float mask = sdf_fill(oval, oval_dx, oval_dy);
-  // color: rgba (channels/rgba.glsl)
-  vec4 color = vec4(1.0, 1.0, 1.0, mask);
-  return color;
+// paint, of bomb (bombing/bomb.glsl)
+vec4 paint(Copy copy, vec2 copy_from_dx, vec2 copy_from_dy) {
+  float result_dx, result_dy;
+  float sdf_ellipse_value = sdf_ellipse(copy.from * 0.5 + 0.5, copy_from_dx * 0.5,
+      copy_from_dy * 0.5, result_dx, result_dy);
+  vec4 seen = vec4(1.0, 1.0, 1.0, sdf_fill(sdf_ellipse_value, result_dx, result_dy));
+  return seen;
 }
 
 // in_order, of bomb (bombing/bomb.glsl)
-View in_order(vec2 p, vec2 corner, vec2 p_dx, vec2 p_dy) {
+View in_order(vec2 p, vec2 low, vec2 p_dx, vec2 p_dy) {
   Copy top = Copy(0u, p);
   float through = 1.0;
   float most = 0.0;
-  for (int i = 3; i > -1 && through > 0.001; --i) {
-    vec2 node = corner + vec2(ivec2(i % 2, i / 2));
-    vec2 difference = p - node;
-    Copy copy = Copy(copy_bits(ivec2(node)).w, difference);
-    vec2 magnitude = abs(difference);
+  for (int i = 5; i > -1 && through > 0.001; --i) {
+    vec2 node = node_at(low, i);
+    Copy copy = copy_at(p, node);
+    vec2 magnitude = abs(copy.from);
     if (max(magnitude.x, magnitude.y) < 1.0) {
-      vec4 scale_shape_value = scale_shape(difference * 0.5 + 0.5, p_dx * 0.5, p_dy * 0.5);
-      float part = scale_shape_value.w * through;
+      vec4 seen = paint(copy, p_dx, p_dy);
+      float part = seen.w * through;
       through -= part;
       top = most < part ? copy : top;
       most = max(most, part);
@@ -115,13 +124,13 @@ View in_order(vec2 p, vec2 corner, vec2 p_dx, vec2 p_dy) {
 // bomb (bombing/bomb.glsl)
 void bomb(vec2 uv, vec2 uv_dx, vec2 uv_dy, out Tile tile, out vec2 tile_local_dx,
     out vec2 tile_local_dy) {
-  vec2 p = uv * vec2(14.0, 21.0) - 0.5;
-  vec2 corner = floor(p);
-  vec2 p_dx = uv_dx * vec2(14.0, 21.0);
-  vec2 p_dy = uv_dy * vec2(14.0, 21.0);
-  View view = in_order(p, corner, p_dx, p_dy);
+  vec2 p = uv * vec2(14.0, 18.187) - vec2(0.5, 0.4330127);
+  vec2 low = p / vec2(1.0, 0.8660254) - vec2(0.0, 0.15470052);
+  vec2 p_dx = uv_dx * vec2(14.0, 18.187);
+  vec2 p_dy = uv_dy * vec2(14.0, 18.187);
+  View view = in_order(p, low, p_dx, p_dy);
   vec2 sum = view.top.from * 0.5 + 0.5;
-  tile = Tile(sum, vec2(0.14285715, 0.0952381), view.top.seed, vec2(1.0, 0.0), vec2(-0.0, 1.0));
+  tile = Tile(sum, vec2(0.14285715, 0.109968655), view.top.seed, vec2(1.0, 0.0), vec2(-0.0, 1.0));
   tile_local_dx = p_dx * 0.5;
   tile_local_dy = p_dy * 0.5;
 }
@@ -474,37 +483,21 @@ float spread_range2(float value, float value_dx, float value_dy) {
 
 void main() {
   vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
-  // half_rows: multiply (math/multiply.glsl)
-  float half_rows = uv.y * 0.75;
-  // slanted_x: subtract (math/subtract.glsl)
-  float slanted_x = uv.x - half_rows;
-  float half_rows_dx = uv_dx.y * 0.75;
-  float half_rows_dy = uv_dy.y * 0.75;
-  float slanted_x_dx = uv_dx.x - half_rows_dx;
-  float slanted_x_dy = uv_dy.x - half_rows_dy;
-  // slanted: combine2 (channels/combine2.glsl)
-  vec2 slanted = vec2(slanted_x, uv.y);
-  vec2 slanted_dx = vec2(slanted_x_dx, uv_dx.y);
-  vec2 slanted_dy = vec2(slanted_x_dy, uv_dy.y);
   // rows: bomb (bombing/bomb.glsl)
   Tile rows_tile;
   vec2 rows_tile_local_dx, rows_tile_local_dy;
-  bomb(slanted, slanted_dx, slanted_dy, rows_tile, rows_tile_local_dx, rows_tile_local_dy);
-  // place: upright (function of the graph)
-  vec2 place = vec2(rows_tile.local.x + mix(-0.25, 0.25, rows_tile.local.y), rows_tile.local.y);
-  vec2 place_dx = vec2(rows_tile_local_dx.x + rows_tile_local_dx.y * 0.5, rows_tile_local_dx.y);
-  vec2 place_dy = vec2(rows_tile_local_dy.x + rows_tile_local_dy.y * 0.5, rows_tile_local_dy.y);
+  bomb(uv, uv_dx, uv_dy, rows_tile, rows_tile_local_dx, rows_tile_local_dy);
   // place_wide: uv_transform (images/uv_transform.glsl)
-  vec2 place_wide_dx = mat2(1.633987, -0.0, 0.0, 1.0) * place_dx;
-  vec2 place_wide_dy = mat2(1.633987, -0.0, 0.0, 1.0) * place_dy;
-  vec2 place_wide = mat2(1.633987, -0.0, 0.0, 1.0) * (place - 0.5) + 0.5;
+  vec2 place_wide_dx = mat2(1.4144272, -0.0, 0.0, 1.0) * rows_tile_local_dx;
+  vec2 place_wide_dy = mat2(1.4144272, -0.0, 0.0, 1.0) * rows_tile_local_dy;
+  vec2 place_wide = mat2(1.4144272, -0.0, 0.0, 1.0) * (rows_tile.local - 0.5) + 0.5;
   // radius: gradient_radial (patterns/gradient_radial.glsl)
   vec2 difference = place_wide - 0.5;
   float norm = length(difference);
   float greatest = max(norm, 1e-20);
   float radius_dx, radius_dy;
-  float radius = spread_range(norm / 0.49, dot(difference, place_wide_dx) / greatest / 0.49,
-      dot(difference, place_wide_dy) / greatest / 0.49, radius_dx, radius_dy);
+  float radius = spread_range(norm / 0.4245, dot(difference, place_wide_dx) / greatest / 0.4245,
+      dot(difference, place_wide_dy) / greatest / 0.4245, radius_dx, radius_dy);
   // ring_phase: multiply (math/multiply.glsl)
   float ring_phase = radius * 6.0;
   // rings: sine_wave (math/sine_wave.glsl)
@@ -512,19 +505,13 @@ void main() {
   float ring_phase_dy = radius_dy * 6.0;
   float rings = sine_wave(ring_phase, ring_phase_dx, ring_phase_dy);
   // rays: gradient_angular (patterns/gradient_angular.glsl)
-  float rays = gradient_angular(place, place_dx, place_dy);
+  float rays = gradient_angular(rows_tile.local, rows_tile_local_dx, rows_tile_local_dy);
   // ribs: lerp (math/lerp.glsl)
   float ribs = mix(rings, rays, 0.5);
-  // center: tile_center (tiles/tile_center.glsl)
-  vec2 center_dx, center_dy;
-  vec2 center = tile_center(rows_tile, slanted, rows_tile_local_dx, rows_tile_local_dy, slanted_dx,
-      slanted_dy, center_dx, center_dy);
-  // center_slant: multiply (math/multiply.glsl)
-  float center_slant = center.y * 0.75;
-  // center_x: add (math/add.glsl)
-  float center_x = center.x + center_slant;
-  // middle: combine2 (channels/combine2.glsl)
-  vec2 middle = vec2(center_x, center.y);
+  // middle: tile_center (tiles/tile_center.glsl)
+  vec2 middle_dx, middle_dy;
+  vec2 middle = tile_center(rows_tile, uv, rows_tile_local_dx, rows_tile_local_dy, uv_dx, uv_dy,
+      middle_dx, middle_dy);
   // hills: simplex_noise (noise/simplex_noise.glsl)
   float hills = simplex_noise(middle);
   // spotted: smooth_step (math/smooth_step.glsl)
@@ -532,7 +519,7 @@ void main() {
   // dark: multiply (math/multiply.glsl)
   float dark = spotted * spots;
   // up: curve (math/curve.glsl)
-  float up = curve_up(center.y, center_dx.y, center_dy.y);
+  float up = curve_up(middle.y, middle_dx.y, middle_dy.y);
   // skin: lerp (math/lerp.glsl)
   vec3 skin = mix(belly, back, up);
   // own: tile_random_hsv (tiles/tile_random_hsv.glsl)
@@ -552,8 +539,9 @@ void main() {
   // dome: curve (math/curve.glsl)
   float dome = curve_dome(radius, radius_dx, radius_dy);
   // lifted: gradient_linear (patterns/gradient_linear.glsl)
-  float lifted = spread_range2(-(place - vec2(0.0, 1.0)).y, -rows_tile_local_dx.y,
-      -rows_tile_local_dy.y);
+  float ratio = (rows_tile.local - vec2(0.0, 0.93)).y * -0.86 / 0.7396;
+  float ratio2 = rows_tile_local_dx.y * -0.86 / 0.7396;
+  float lifted = spread_range2(ratio, ratio2, rows_tile_local_dy.y * -0.86 / 0.7396);
   // tip: multiply (math/multiply.glsl)
   float tip = lifted * 1.1;
   // raised: add (math/add.glsl)

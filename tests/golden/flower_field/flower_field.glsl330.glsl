@@ -179,37 +179,9 @@ flower_field_Copy flower_field_copy_at_grass(vec2 p, vec2 node, int index) {
   ivec2 numbers2 = ivec2(flower_field_wrap_cell_grass(numbers.x, 24),
       flower_field_wrap_cell_grass(numbers.y, 24));
   uvec4 bits = flower_field_copy_bits(numbers2, index, 1);
-  flower_field_Copy copy = flower_field_Copy(bits.w, bits.z,
-      p - node - vec2(ivec2(bits.xy)) * 2.3283064e-10);
+  vec2 moved = vec2(ivec2(bits.xy)) * 2.3283064e-10;
+  flower_field_Copy copy = flower_field_Copy(bits.w, bits.z, p - node - moved);
   return copy;
-}
-
-// distance_of_grass, of bomb (bombing/bomb.glsl)
-vec2 flower_field_distance_of_grass(flower_field_Copy copy) {
-  uint hash_value = flower_field_hash(copy.seed - 2u);
-  float side = mix(1.2, 2.0, (vec2(float(hash_value & 65535u), float(hash_value >> 16u))
-      * 1.5258789e-5).x);
-  float square = dot(copy.from, copy.from);
-  return vec2(square, 0.25 * side * side);
-}
-
-// find_next_grass, of bomb (bombing/bomb.glsl)
-void flower_field_find_next_grass(vec2 p, vec2 corner, uint last, out uint last_out,
-    out flower_field_Copy found) {
-  flower_field_Copy found2 = flower_field_Copy(0u, 0u, p);
-  uint best = 0u;
-  for (int i = 0; i < 9; ++i) {
-    vec2 node = corner + vec2(ivec2(i % 3, i / 3));
-    for (int index = 0; index < 5; ++index) {
-      flower_field_Copy copy = flower_field_copy_at_grass(p, node, index);
-      uvec2 away = floatBitsToUint(flower_field_distance_of_grass(copy));
-      bool is_next = all(lessThan(uvec3(best, copy.luck, away.x), uvec3(copy.luck, last, away.y)));
-      found2 = is_next ? copy : found2;
-      best = is_next ? copy.luck : best;
-    }
-  }
-  last_out = best;
-  found = found2;
 }
 
 // pose_of_grass, of bomb (bombing/bomb.glsl)
@@ -219,10 +191,29 @@ vec2 flower_field_pose_of_grass(flower_field_Copy copy) {
   return vec2(mix(1.2, 2.0, luck.x), mix(-180.0, 180.0, luck.y) * 0.017453292);
 }
 
-// arm_of_grass, of bomb (bombing/bomb.glsl)
-vec2 flower_field_arm_of_grass(flower_field_Copy copy, vec2 copy_from_dx, vec2 copy_from_dy,
+// find_next_grass, of bomb (bombing/bomb.glsl)
+void flower_field_find_next_grass(vec2 p, vec2 low, uint last, out uint last_out,
+    out flower_field_Copy found) {
+  flower_field_Copy found2 = flower_field_Copy(0u, 0u, p);
+  uint best = 0u;
+  for (int i = 0; i < 9; ++i) {
+    vec2 node = floor(low) + vec2(ivec2(i % 3, i / 3));
+    for (int index = 0; index < 5; ++index) {
+      flower_field_Copy copy = flower_field_copy_at_grass(p, node, index);
+      vec2 pose = flower_field_pose_of_grass(copy);
+      uvec2 away = floatBitsToUint(vec2(dot(copy.from, copy.from), 0.25 * pose.x * pose.x));
+      bool is_next = all(lessThan(uvec3(best, copy.luck, away.x), uvec3(copy.luck, last, away.y)));
+      found2 = is_next ? copy : found2;
+      best = is_next ? copy.luck : best;
+    }
+  }
+  last_out = best;
+  found = found2;
+}
+
+// arm_of, of bomb (bombing/bomb.glsl)
+vec2 flower_field_arm_of(flower_field_Copy copy, vec2 pose, vec2 copy_from_dx, vec2 copy_from_dy,
     out vec2 result_dx, out vec2 result_dy) {
-  vec2 pose = flower_field_pose_of_grass(copy);
   float c = cos(pose.y);
   float s = sin(pose.y);
   vec2 sum = copy_from_dx * c + vec2(copy_from_dx.y, -copy_from_dx.x) * s;
@@ -382,16 +373,17 @@ vec4 flower_field_blade(vec2 uv, flower_field_Tile tile, vec2 uv_dx, vec2 uv_dy)
 
 // paint_grass, of bomb (bombing/bomb.glsl)
 vec4 flower_field_paint_grass(flower_field_Copy copy, vec2 copy_from_dx, vec2 copy_from_dy) {
+  vec2 pose = flower_field_pose_of_grass(copy);
   vec2 tile_local_dx, tile_local_dy;
-  vec2 arm_of_grass_value = flower_field_arm_of_grass(copy, copy_from_dx, copy_from_dy,
-      tile_local_dx, tile_local_dy);
+  vec2 arm_of_value = flower_field_arm_of(copy, pose, copy_from_dx, copy_from_dy, tile_local_dx,
+      tile_local_dy);
   flower_field_Tile tile = flower_field_Tile(copy.seed);
-  vec4 seen = flower_field_blade(arm_of_grass_value + 0.5, tile, tile_local_dx, tile_local_dy);
+  vec4 seen = flower_field_blade(arm_of_value + 0.5, tile, tile_local_dx, tile_local_dy);
   return seen;
 }
 
 // by_rank_grass, of bomb (bombing/bomb.glsl)
-flower_field_View flower_field_by_rank_grass(vec2 p, vec2 corner, vec2 p_dx, vec2 p_dy) {
+flower_field_View flower_field_by_rank_grass(vec2 p, vec2 low, vec2 p_dx, vec2 p_dy) {
   vec4 sum = vec4(0.0);
   float open = 1.0;
   float through = 1.0;
@@ -399,7 +391,7 @@ flower_field_View flower_field_by_rank_grass(vec2 p, vec2 corner, vec2 p_dx, vec
   for (int layer = 0; layer < 100 && open > 0.001; ++layer) {
     uint last2;
     flower_field_Copy copy;
-    flower_field_find_next_grass(p, corner, last, last2, copy);
+    flower_field_find_next_grass(p, low, last, last2, copy);
     open = 0.0;
     if (last2 > 0u) {
       vec4 seen = flower_field_paint_grass(copy, p_dx, p_dy);
@@ -416,10 +408,10 @@ flower_field_View flower_field_by_rank_grass(vec2 p, vec2 corner, vec2 p_dx, vec
 // bomb (bombing/bomb.glsl)
 vec4 flower_field_bomb_grass(vec2 uv, vec4 background, vec2 uv_dx, vec2 uv_dy) {
   vec2 p = uv * 24.0 - 0.5;
-  vec2 corner = floor(p - 0.5);
+  vec2 low = p - 0.5;
   vec2 p_dx = uv_dx * 24.0;
   vec2 p_dy = uv_dy * 24.0;
-  flower_field_View view = flower_field_by_rank_grass(p, corner, p_dx, p_dy);
+  flower_field_View view = flower_field_by_rank_grass(p, low, p_dx, p_dy);
   float covered = 1.0 - view.through;
   float alpha = mix(background.w, 1.0, covered);
   vec3 below = background.xyz * (background.w * view.through);
@@ -433,38 +425,39 @@ flower_field_Copy flower_field_copy_at_low(vec2 p, vec2 node, int index) {
   ivec2 numbers2 = ivec2(flower_field_wrap_cell_grass(numbers.x, 15),
       flower_field_wrap_cell_grass(numbers.y, 15));
   uvec4 bits = flower_field_copy_bits(numbers2, index, 2);
-  flower_field_Copy copy = flower_field_Copy(bits.w, bits.z,
-      p - node - vec2(ivec2(bits.xy)) * 2.3283064e-10);
+  vec2 moved = vec2(ivec2(bits.xy)) * 2.3283064e-10;
+  flower_field_Copy copy = flower_field_Copy(bits.w, bits.z, p - node - moved);
   return copy;
 }
 
-// distance_of_low, of bomb (bombing/bomb.glsl)
-vec2 flower_field_distance_of_low(flower_field_Copy copy) {
+// pose_of_low, of bomb (bombing/bomb.glsl)
+vec2 flower_field_pose_of_low(flower_field_Copy copy) {
   uint hash_value = flower_field_hash(copy.seed - 2u);
-  float side = mix(0.5, 0.85, (vec2(float(hash_value & 65535u), float(hash_value >> 16u))
-      * 1.5258789e-5).x);
-  float square = dot(copy.from, copy.from);
-  return vec2(square, 0.25 * side * side);
+  vec2 luck = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
+  return vec2(mix(0.5, 0.85, luck.x), mix(-180.0, 180.0, luck.y) * 0.017453292);
 }
 
 // is_there_low, of bomb (bombing/bomb.glsl)
 bool flower_field_is_there_low(flower_field_Copy copy, vec2 p) {
-  vec4 texel = textureGrad(beds, (p - copy.from + 0.5) / 15.0, vec2(0.0), vec2(0.0));
-  float chance = texel.x * small;
+  vec2 center = p - copy.from;
+  float value = textureGrad(beds, (center + 0.5) / 15.0, vec2(0.0), vec2(0.0)).x;
+  float chance = value * small;
   bool test = float(flower_field_hash(copy.seed - 3u) >> 8u) * 5.9604645e-8 < chance;
-  return chance >= 1.0 || test;
+  bool stays = chance >= 1.0 || test;
+  return stays;
 }
 
 // find_next_low, of bomb (bombing/bomb.glsl)
-void flower_field_find_next_low(vec2 p, vec2 corner, uint last, out uint last_out,
+void flower_field_find_next_low(vec2 p, vec2 low, uint last, out uint last_out,
     out flower_field_Copy found) {
   flower_field_Copy found2 = flower_field_Copy(0u, 0u, p);
   uint best = 0u;
   for (int i = 0; i < 4; ++i) {
-    vec2 node = corner + vec2(ivec2(i % 2, i / 2));
+    vec2 node = floor(low) + vec2(ivec2(i % 2, i / 2));
     for (int index = 0; index < 2; ++index) {
       flower_field_Copy copy = flower_field_copy_at_low(p, node, index);
-      uvec2 away = floatBitsToUint(flower_field_distance_of_low(copy));
+      vec2 pose = flower_field_pose_of_low(copy);
+      uvec2 away = floatBitsToUint(vec2(dot(copy.from, copy.from), 0.25 * pose.x * pose.x));
       bool is_next = all(lessThan(uvec3(best, copy.luck, away.x), uvec3(copy.luck, last, away.y)));
       bool test = is_next && flower_field_is_there_low(copy, p);
       found2 = test ? copy : found2;
@@ -475,27 +468,6 @@ void flower_field_find_next_low(vec2 p, vec2 corner, uint last, out uint last_ou
   found = found2;
 }
 
-// pose_of_low, of bomb (bombing/bomb.glsl)
-vec2 flower_field_pose_of_low(flower_field_Copy copy) {
-  uint hash_value = flower_field_hash(copy.seed - 2u);
-  vec2 luck = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
-  return vec2(mix(0.5, 0.85, luck.x), mix(-180.0, 180.0, luck.y) * 0.017453292);
-}
-
-// arm_of_low, of bomb (bombing/bomb.glsl)
-vec2 flower_field_arm_of_low(flower_field_Copy copy, vec2 copy_from_dx, vec2 copy_from_dy,
-    out vec2 result_dx, out vec2 result_dy) {
-  vec2 pose = flower_field_pose_of_low(copy);
-  float c = cos(pose.y);
-  float s = sin(pose.y);
-  vec2 sum = copy_from_dx * c + vec2(copy_from_dx.y, -copy_from_dx.x) * s;
-  vec2 sum2 = copy_from_dy * c + vec2(copy_from_dy.y, -copy_from_dy.x) * s;
-  bool test = pose.x != 0.0;
-  result_dx = test ? sum / pose.x : vec2(0.0);
-  result_dy = test ? sum2 / pose.x : vec2(0.0);
-  return (c * copy.from + s * vec2(copy.from.y, -copy.from.x)) / pose.x;
-}
-
 // choice, of tile_weighted_choice (tiles/tile_weighted_choice.glsl)
 int flower_field_choice(uint seed) {
   float place = float(flower_field_hash(seed) >> 8u) * 5.9604645e-8 * 7.0;
@@ -504,16 +476,17 @@ int flower_field_choice(uint seed) {
 
 // paint_low, of bomb (bombing/bomb.glsl)
 vec4 flower_field_paint_low(flower_field_Copy copy, vec2 copy_from_dx, vec2 copy_from_dy) {
+  vec2 pose = flower_field_pose_of_low(copy);
   vec2 result_dx, result_dy;
-  vec2 arm_of_low_value = flower_field_arm_of_low(copy, copy_from_dx, copy_from_dy, result_dx,
+  vec2 arm_of_value = flower_field_arm_of(copy, pose, copy_from_dx, copy_from_dy, result_dx,
       result_dy);
-  vec3 vector = vec3(arm_of_low_value + 0.5, float(flower_field_choice(copy.seed)));
+  vec3 vector = vec3(arm_of_value + 0.5, float(flower_field_choice(copy.seed)));
   vec4 seen = textureGrad(flowers, vector, result_dx, result_dy);
   return seen;
 }
 
 // by_rank_low, of bomb (bombing/bomb.glsl)
-flower_field_View flower_field_by_rank_low(vec2 p, vec2 corner, vec2 p_dx, vec2 p_dy) {
+flower_field_View flower_field_by_rank_low(vec2 p, vec2 low, vec2 p_dx, vec2 p_dy) {
   vec4 sum = vec4(0.0);
   float open = 1.0;
   float through = 1.0;
@@ -521,7 +494,7 @@ flower_field_View flower_field_by_rank_low(vec2 p, vec2 corner, vec2 p_dx, vec2 
   for (int layer = 0; layer < 100 && open > 0.001; ++layer) {
     uint last2;
     flower_field_Copy copy;
-    flower_field_find_next_low(p, corner, last, last2, copy);
+    flower_field_find_next_low(p, low, last, last2, copy);
     open = 0.0;
     if (last2 > 0u) {
       vec4 seen = flower_field_paint_low(copy, p_dx, p_dy);
@@ -538,10 +511,10 @@ flower_field_View flower_field_by_rank_low(vec2 p, vec2 corner, vec2 p_dx, vec2 
 // bomb (bombing/bomb.glsl)
 vec4 flower_field_bomb_low(vec2 uv, vec4 background, vec2 uv_dx, vec2 uv_dy) {
   vec2 p = uv * 15.0 - 0.5;
-  vec2 corner = floor(p + 0.07499999);
+  vec2 low = p + 0.07499999;
   vec2 p_dx = uv_dx * 15.0;
   vec2 p_dy = uv_dy * 15.0;
-  flower_field_View view = flower_field_by_rank_low(p, corner, p_dx, p_dy);
+  flower_field_View view = flower_field_by_rank_low(p, low, p_dx, p_dy);
   float covered = 1.0 - view.through;
   float alpha = mix(background.w, 1.0, covered);
   vec3 below = background.xyz * (background.w * view.through);
@@ -555,46 +528,9 @@ flower_field_Copy flower_field_copy_at_middle(vec2 p, vec2 node, int index) {
   ivec2 numbers2 = ivec2(flower_field_wrap_cell_grass(numbers.x, 12),
       flower_field_wrap_cell_grass(numbers.y, 12));
   uvec4 bits = flower_field_copy_bits(numbers2, index, 3);
-  flower_field_Copy copy = flower_field_Copy(bits.w, bits.z,
-      p - node - vec2(ivec2(bits.xy)) * 2.3283064e-10);
+  vec2 moved = vec2(ivec2(bits.xy)) * 2.3283064e-10;
+  flower_field_Copy copy = flower_field_Copy(bits.w, bits.z, p - node - moved);
   return copy;
-}
-
-// distance_of_middle, of bomb (bombing/bomb.glsl)
-vec2 flower_field_distance_of_middle(flower_field_Copy copy) {
-  uint hash_value = flower_field_hash(copy.seed - 2u);
-  float side = mix(0.7, 1.0, (vec2(float(hash_value & 65535u), float(hash_value >> 16u))
-      * 1.5258789e-5).x);
-  float square = dot(copy.from, copy.from);
-  return vec2(square, 0.25 * side * side);
-}
-
-// is_there_middle, of bomb (bombing/bomb.glsl)
-bool flower_field_is_there_middle(flower_field_Copy copy, vec2 p) {
-  vec4 texel = textureGrad(beds, (p - copy.from + 0.5) / 12.0, vec2(0.0), vec2(0.0));
-  float chance = texel.z * tall;
-  bool test = float(flower_field_hash(copy.seed - 3u) >> 8u) * 5.9604645e-8 < chance;
-  return chance >= 1.0 || test;
-}
-
-// find_next_middle, of bomb (bombing/bomb.glsl)
-void flower_field_find_next_middle(vec2 p, vec2 corner, uint last, out uint last_out,
-    out flower_field_Copy found) {
-  flower_field_Copy found2 = flower_field_Copy(0u, 0u, p);
-  uint best = 0u;
-  for (int i = 0; i < 4; ++i) {
-    vec2 node = corner + vec2(ivec2(i % 2, i / 2));
-    for (int index = 0; index < 2; ++index) {
-      flower_field_Copy copy = flower_field_copy_at_middle(p, node, index);
-      uvec2 away = floatBitsToUint(flower_field_distance_of_middle(copy));
-      bool is_next = all(lessThan(uvec3(best, copy.luck, away.x), uvec3(copy.luck, last, away.y)));
-      bool test = is_next && flower_field_is_there_middle(copy, p);
-      found2 = test ? copy : found2;
-      best = test ? copy.luck : best;
-    }
-  }
-  last_out = best;
-  found = found2;
 }
 
 // pose_of_middle, of bomb (bombing/bomb.glsl)
@@ -604,18 +540,35 @@ vec2 flower_field_pose_of_middle(flower_field_Copy copy) {
   return vec2(mix(0.7, 1.0, luck.x), mix(-180.0, 180.0, luck.y) * 0.017453292);
 }
 
-// arm_of_middle, of bomb (bombing/bomb.glsl)
-vec2 flower_field_arm_of_middle(flower_field_Copy copy, vec2 copy_from_dx, vec2 copy_from_dy,
-    out vec2 result_dx, out vec2 result_dy) {
-  vec2 pose = flower_field_pose_of_middle(copy);
-  float c = cos(pose.y);
-  float s = sin(pose.y);
-  vec2 sum = copy_from_dx * c + vec2(copy_from_dx.y, -copy_from_dx.x) * s;
-  vec2 sum2 = copy_from_dy * c + vec2(copy_from_dy.y, -copy_from_dy.x) * s;
-  bool test = pose.x != 0.0;
-  result_dx = test ? sum / pose.x : vec2(0.0);
-  result_dy = test ? sum2 / pose.x : vec2(0.0);
-  return (c * copy.from + s * vec2(copy.from.y, -copy.from.x)) / pose.x;
+// is_there_middle, of bomb (bombing/bomb.glsl)
+bool flower_field_is_there_middle(flower_field_Copy copy, vec2 p) {
+  vec2 center = p - copy.from;
+  float value = textureGrad(beds, (center + 0.5) / 12.0, vec2(0.0), vec2(0.0)).z;
+  float chance = value * tall;
+  bool test = float(flower_field_hash(copy.seed - 3u) >> 8u) * 5.9604645e-8 < chance;
+  bool stays = chance >= 1.0 || test;
+  return stays;
+}
+
+// find_next_middle, of bomb (bombing/bomb.glsl)
+void flower_field_find_next_middle(vec2 p, uint last, out uint last_out,
+    out flower_field_Copy found) {
+  flower_field_Copy found2 = flower_field_Copy(0u, 0u, p);
+  uint best = 0u;
+  for (int i = 0; i < 4; ++i) {
+    vec2 node = floor(p) + vec2(ivec2(i % 2, i / 2));
+    for (int index = 0; index < 2; ++index) {
+      flower_field_Copy copy = flower_field_copy_at_middle(p, node, index);
+      vec2 pose = flower_field_pose_of_middle(copy);
+      uvec2 away = floatBitsToUint(vec2(dot(copy.from, copy.from), 0.25 * pose.x * pose.x));
+      bool is_next = all(lessThan(uvec3(best, copy.luck, away.x), uvec3(copy.luck, last, away.y)));
+      bool test = is_next && flower_field_is_there_middle(copy, p);
+      found2 = test ? copy : found2;
+      best = test ? copy.luck : best;
+    }
+  }
+  last_out = best;
+  found = found2;
 }
 
 // varied_own, of tile_random_hsv (tiles/tile_random_hsv.glsl)
@@ -628,11 +581,11 @@ vec3 flower_field_varied_own2(uint seed, float near, vec3 color) {
 
 // paint_middle, of bomb (bombing/bomb.glsl)
 vec4 flower_field_paint_middle(flower_field_Copy copy, vec2 copy_from_dx, vec2 copy_from_dy) {
+  vec2 pose = flower_field_pose_of_middle(copy);
   vec2 tile_local_dx, tile_local_dy;
-  vec2 arm_of_middle_value = flower_field_arm_of_middle(copy, copy_from_dx, copy_from_dy,
-      tile_local_dx, tile_local_dy);
-  vec4 texel = textureGrad(flowers, vec3(arm_of_middle_value + 0.5, 3.0), tile_local_dx,
+  vec2 arm_of_value = flower_field_arm_of(copy, pose, copy_from_dx, copy_from_dy, tile_local_dx,
       tile_local_dy);
+  vec4 texel = textureGrad(flowers, vec3(arm_of_value + 0.5, 3.0), tile_local_dx, tile_local_dy);
   vec3 varied_own_value = flower_field_varied_own2(copy.seed,
       flower_field_tile_near(tile_local_dx, tile_local_dy), texel.xyz);
   vec4 seen = vec4(varied_own_value, texel.w);
@@ -640,7 +593,7 @@ vec4 flower_field_paint_middle(flower_field_Copy copy, vec2 copy_from_dx, vec2 c
 }
 
 // by_rank_middle, of bomb (bombing/bomb.glsl)
-flower_field_View flower_field_by_rank_middle(vec2 p, vec2 corner, vec2 p_dx, vec2 p_dy) {
+flower_field_View flower_field_by_rank_middle(vec2 p, vec2 p_dx, vec2 p_dy) {
   vec4 sum = vec4(0.0);
   float open = 1.0;
   float through = 1.0;
@@ -648,7 +601,7 @@ flower_field_View flower_field_by_rank_middle(vec2 p, vec2 corner, vec2 p_dx, ve
   for (int layer = 0; layer < 100 && open > 0.001; ++layer) {
     uint last2;
     flower_field_Copy copy;
-    flower_field_find_next_middle(p, corner, last, last2, copy);
+    flower_field_find_next_middle(p, last, last2, copy);
     open = 0.0;
     if (last2 > 0u) {
       vec4 seen = flower_field_paint_middle(copy, p_dx, p_dy);
@@ -665,10 +618,9 @@ flower_field_View flower_field_by_rank_middle(vec2 p, vec2 corner, vec2 p_dx, ve
 // bomb (bombing/bomb.glsl)
 vec4 flower_field_bomb_middle(vec2 uv, vec4 background, vec2 uv_dx, vec2 uv_dy) {
   vec2 p = uv * 12.0 - 0.5;
-  vec2 corner = floor(p);
   vec2 p_dx = uv_dx * 12.0;
   vec2 p_dy = uv_dy * 12.0;
-  flower_field_View view = flower_field_by_rank_middle(p, corner, p_dx, p_dy);
+  flower_field_View view = flower_field_by_rank_middle(p, p_dx, p_dy);
   float covered = 1.0 - view.through;
   float alpha = mix(background.w, 1.0, covered);
   vec3 below = background.xyz * (background.w * view.through);
@@ -682,46 +634,9 @@ flower_field_Copy flower_field_copy_at_high(vec2 p, vec2 node, int index) {
   ivec2 numbers2 = ivec2(flower_field_wrap_cell_grass(numbers.x, 10),
       flower_field_wrap_cell_grass(numbers.y, 10));
   uvec4 bits = flower_field_copy_bits(numbers2, index, 4);
-  flower_field_Copy copy = flower_field_Copy(bits.w, bits.z,
-      p - node - vec2(ivec2(bits.xy)) * 2.3283064e-10);
+  vec2 moved = vec2(ivec2(bits.xy)) * 2.3283064e-10;
+  flower_field_Copy copy = flower_field_Copy(bits.w, bits.z, p - node - moved);
   return copy;
-}
-
-// distance_of_high, of bomb (bombing/bomb.glsl)
-vec2 flower_field_distance_of_high(flower_field_Copy copy) {
-  uint hash_value = flower_field_hash(copy.seed - 2u);
-  float side = mix(0.7, 1.1, (vec2(float(hash_value & 65535u), float(hash_value >> 16u))
-      * 1.5258789e-5).x);
-  float square = dot(copy.from, copy.from);
-  return vec2(square, 0.25 * side * side);
-}
-
-// is_there_high, of bomb (bombing/bomb.glsl)
-bool flower_field_is_there_high(flower_field_Copy copy, vec2 p) {
-  vec4 texel = textureGrad(beds, (p - copy.from + 0.5) / 10.0, vec2(0.0), vec2(0.0));
-  float chance = texel.y * tall;
-  bool test = float(flower_field_hash(copy.seed - 3u) >> 8u) * 5.9604645e-8 < chance;
-  return chance >= 1.0 || test;
-}
-
-// find_next_high, of bomb (bombing/bomb.glsl)
-void flower_field_find_next_high(vec2 p, vec2 corner, uint last, out uint last_out,
-    out flower_field_Copy found) {
-  flower_field_Copy found2 = flower_field_Copy(0u, 0u, p);
-  uint best = 0u;
-  for (int i = 0; i < 9; ++i) {
-    vec2 node = corner + vec2(ivec2(i % 3, i / 3));
-    for (int index = 0; index < 2; ++index) {
-      flower_field_Copy copy = flower_field_copy_at_high(p, node, index);
-      uvec2 away = floatBitsToUint(flower_field_distance_of_high(copy));
-      bool is_next = all(lessThan(uvec3(best, copy.luck, away.x), uvec3(copy.luck, last, away.y)));
-      bool test = is_next && flower_field_is_there_high(copy, p);
-      found2 = test ? copy : found2;
-      best = test ? copy.luck : best;
-    }
-  }
-  last_out = best;
-  found = found2;
 }
 
 // pose_of_high, of bomb (bombing/bomb.glsl)
@@ -731,18 +646,35 @@ vec2 flower_field_pose_of_high(flower_field_Copy copy) {
   return vec2(mix(0.7, 1.1, luck.x), mix(-180.0, 180.0, luck.y) * 0.017453292);
 }
 
-// arm_of_high, of bomb (bombing/bomb.glsl)
-vec2 flower_field_arm_of_high(flower_field_Copy copy, vec2 copy_from_dx, vec2 copy_from_dy,
-    out vec2 result_dx, out vec2 result_dy) {
-  vec2 pose = flower_field_pose_of_high(copy);
-  float c = cos(pose.y);
-  float s = sin(pose.y);
-  vec2 sum = copy_from_dx * c + vec2(copy_from_dx.y, -copy_from_dx.x) * s;
-  vec2 sum2 = copy_from_dy * c + vec2(copy_from_dy.y, -copy_from_dy.x) * s;
-  bool test = pose.x != 0.0;
-  result_dx = test ? sum / pose.x : vec2(0.0);
-  result_dy = test ? sum2 / pose.x : vec2(0.0);
-  return (c * copy.from + s * vec2(copy.from.y, -copy.from.x)) / pose.x;
+// is_there_high, of bomb (bombing/bomb.glsl)
+bool flower_field_is_there_high(flower_field_Copy copy, vec2 p) {
+  vec2 center = p - copy.from;
+  float value = textureGrad(beds, (center + 0.5) / 10.0, vec2(0.0), vec2(0.0)).y;
+  float chance = value * tall;
+  bool test = float(flower_field_hash(copy.seed - 3u) >> 8u) * 5.9604645e-8 < chance;
+  bool stays = chance >= 1.0 || test;
+  return stays;
+}
+
+// find_next_high, of bomb (bombing/bomb.glsl)
+void flower_field_find_next_high(vec2 p, vec2 low, uint last, out uint last_out,
+    out flower_field_Copy found) {
+  flower_field_Copy found2 = flower_field_Copy(0u, 0u, p);
+  uint best = 0u;
+  for (int i = 0; i < 9; ++i) {
+    vec2 node = floor(low) + vec2(ivec2(i % 3, i / 3));
+    for (int index = 0; index < 2; ++index) {
+      flower_field_Copy copy = flower_field_copy_at_high(p, node, index);
+      vec2 pose = flower_field_pose_of_high(copy);
+      uvec2 away = floatBitsToUint(vec2(dot(copy.from, copy.from), 0.25 * pose.x * pose.x));
+      bool is_next = all(lessThan(uvec3(best, copy.luck, away.x), uvec3(copy.luck, last, away.y)));
+      bool test = is_next && flower_field_is_there_high(copy, p);
+      found2 = test ? copy : found2;
+      best = test ? copy.luck : best;
+    }
+  }
+  last_out = best;
+  found = found2;
 }
 
 // varied_own, of tile_random_hsv (tiles/tile_random_hsv.glsl)
@@ -755,11 +687,11 @@ vec3 flower_field_varied_own3(uint seed, float near, vec3 color) {
 
 // paint_high, of bomb (bombing/bomb.glsl)
 vec4 flower_field_paint_high(flower_field_Copy copy, vec2 copy_from_dx, vec2 copy_from_dy) {
+  vec2 pose = flower_field_pose_of_high(copy);
   vec2 tile_local_dx, tile_local_dy;
-  vec2 arm_of_high_value = flower_field_arm_of_high(copy, copy_from_dx, copy_from_dy, tile_local_dx,
+  vec2 arm_of_value = flower_field_arm_of(copy, pose, copy_from_dx, copy_from_dy, tile_local_dx,
       tile_local_dy);
-  vec4 texel = textureGrad(flowers, vec3(arm_of_high_value + 0.5, 2.0), tile_local_dx,
-      tile_local_dy);
+  vec4 texel = textureGrad(flowers, vec3(arm_of_value + 0.5, 2.0), tile_local_dx, tile_local_dy);
   vec3 varied_own_value = flower_field_varied_own3(copy.seed,
       flower_field_tile_near(tile_local_dx, tile_local_dy), texel.xyz);
   vec4 seen = vec4(varied_own_value, texel.w);
@@ -767,7 +699,7 @@ vec4 flower_field_paint_high(flower_field_Copy copy, vec2 copy_from_dx, vec2 cop
 }
 
 // by_rank_high, of bomb (bombing/bomb.glsl)
-flower_field_View flower_field_by_rank_high(vec2 p, vec2 corner, vec2 p_dx, vec2 p_dy) {
+flower_field_View flower_field_by_rank_high(vec2 p, vec2 low, vec2 p_dx, vec2 p_dy) {
   vec4 sum = vec4(0.0);
   float open = 1.0;
   float through = 1.0;
@@ -775,7 +707,7 @@ flower_field_View flower_field_by_rank_high(vec2 p, vec2 corner, vec2 p_dx, vec2
   for (int layer = 0; layer < 100 && open > 0.001; ++layer) {
     uint last2;
     flower_field_Copy copy;
-    flower_field_find_next_high(p, corner, last, last2, copy);
+    flower_field_find_next_high(p, low, last, last2, copy);
     open = 0.0;
     if (last2 > 0u) {
       vec4 seen = flower_field_paint_high(copy, p_dx, p_dy);
@@ -792,10 +724,10 @@ flower_field_View flower_field_by_rank_high(vec2 p, vec2 corner, vec2 p_dx, vec2
 // bomb (bombing/bomb.glsl)
 vec4 flower_field_bomb_high(vec2 uv, vec4 background, vec2 uv_dx, vec2 uv_dy) {
   vec2 p = uv * 10.0 - 0.5;
-  vec2 corner = floor(p - 0.049999952);
+  vec2 low = p - 0.049999952;
   vec2 p_dx = uv_dx * 10.0;
   vec2 p_dy = uv_dy * 10.0;
-  flower_field_View view = flower_field_by_rank_high(p, corner, p_dx, p_dy);
+  flower_field_View view = flower_field_by_rank_high(p, low, p_dx, p_dy);
   float covered = 1.0 - view.through;
   float alpha = mix(background.w, 1.0, covered);
   vec3 below = background.xyz * (background.w * view.through);

@@ -60,35 +60,9 @@ uvec4 copy_bits(ivec2 cell, int copy, int seed) {
 Copy copy_at_old(vec2 p, vec2 node, int index) {
   ivec2 numbers = ivec2(node);
   uvec4 bits = copy_bits(ivec2(wrap_cell(numbers.x, 7), wrap_cell(numbers.y, 7)), index, 1);
-  Copy copy = Copy(bits.w, bits.z, p - node - vec2(ivec2(bits.xy)) * 2.3283064e-10);
+  vec2 moved = vec2(ivec2(bits.xy)) * 2.3283064e-10;
+  Copy copy = Copy(bits.w, bits.z, p - node - moved);
   return copy;
-}
-
-// distance_of_old, of bomb (bombing/bomb.glsl)
-vec2 distance_of_old(Copy copy) {
-  uint hash_value = hash(copy.seed - 2u);
-  float side = mix(0.8, 1.3, (vec2(float(hash_value & 65535u), float(hash_value >> 16u))
-      * 1.5258789e-5).x);
-  float square = dot(copy.from, copy.from);
-  return vec2(square, 0.25 * side * side);
-}
-
-// find_next_old, of bomb (bombing/bomb.glsl)
-void find_next_old(vec2 p, vec2 corner, uint last, out uint last_out, out Copy found) {
-  Copy found2 = Copy(0u, 0u, p);
-  uint best = 0u;
-  for (int i = 0; i < 9; ++i) {
-    vec2 node = corner + vec2(ivec2(i % 3, i / 3));
-    for (int index = 0; index < 2; ++index) {
-      Copy copy = copy_at_old(p, node, index);
-      uvec2 away = floatBitsToUint(distance_of_old(copy));
-      bool is_next = all(lessThan(uvec3(best, copy.luck, away.x), uvec3(copy.luck, last, away.y)));
-      found2 = is_next ? copy : found2;
-      best = is_next ? copy.luck : best;
-    }
-  }
-  last_out = best;
-  found = found2;
 }
 
 // pose_of_old, of bomb (bombing/bomb.glsl)
@@ -98,10 +72,28 @@ vec2 pose_of_old(Copy copy) {
   return vec2(mix(0.8, 1.3, luck.x), mix(-180.0, 180.0, luck.y) * 0.017453292);
 }
 
-// arm_of_old, of bomb (bombing/bomb.glsl)
-vec2 arm_of_old(Copy copy, vec2 copy_from_dx, vec2 copy_from_dy, out vec2 result_dx,
+// find_next_old, of bomb (bombing/bomb.glsl)
+void find_next_old(vec2 p, vec2 low, uint last, out uint last_out, out Copy found) {
+  Copy found2 = Copy(0u, 0u, p);
+  uint best = 0u;
+  for (int i = 0; i < 9; ++i) {
+    vec2 node = floor(low) + vec2(ivec2(i % 3, i / 3));
+    for (int index = 0; index < 2; ++index) {
+      Copy copy = copy_at_old(p, node, index);
+      vec2 pose = pose_of_old(copy);
+      uvec2 away = floatBitsToUint(vec2(dot(copy.from, copy.from), 0.25 * pose.x * pose.x));
+      bool is_next = all(lessThan(uvec3(best, copy.luck, away.x), uvec3(copy.luck, last, away.y)));
+      found2 = is_next ? copy : found2;
+      best = is_next ? copy.luck : best;
+    }
+  }
+  last_out = best;
+  found = found2;
+}
+
+// arm_of, of bomb (bombing/bomb.glsl)
+vec2 arm_of(Copy copy, vec2 pose, vec2 copy_from_dx, vec2 copy_from_dy, out vec2 result_dx,
     out vec2 result_dy) {
-  vec2 pose = pose_of_old(copy);
   float c = cos(pose.y);
   float s = sin(pose.y);
   vec2 sum = copy_from_dx * c + vec2(copy_from_dx.y, -copy_from_dx.x) * s;
@@ -254,16 +246,16 @@ vec4 leaf_withered(vec2 uv, Tile tile, vec2 uv_dx, vec2 uv_dy) {
 
 // paint_old, of bomb (bombing/bomb.glsl)
 vec4 paint_old(Copy copy, vec2 copy_from_dx, vec2 copy_from_dy) {
+  vec2 pose = pose_of_old(copy);
   vec2 tile_local_dx, tile_local_dy;
-  vec2 arm_of_old_value = arm_of_old(copy, copy_from_dx, copy_from_dy, tile_local_dx,
-      tile_local_dy);
+  vec2 arm_of_value = arm_of(copy, pose, copy_from_dx, copy_from_dy, tile_local_dx, tile_local_dy);
   Tile tile = Tile(copy.seed);
-  vec4 seen = leaf_withered(arm_of_old_value + 0.5, tile, tile_local_dx, tile_local_dy);
+  vec4 seen = leaf_withered(arm_of_value + 0.5, tile, tile_local_dx, tile_local_dy);
   return seen;
 }
 
 // by_rank_old, of bomb (bombing/bomb.glsl)
-View by_rank_old(vec2 p, vec2 corner, vec2 p_dx, vec2 p_dy) {
+View by_rank_old(vec2 p, vec2 low, vec2 p_dx, vec2 p_dy) {
   vec4 sum = vec4(0.0);
   float open = 1.0;
   float through = 1.0;
@@ -271,7 +263,7 @@ View by_rank_old(vec2 p, vec2 corner, vec2 p_dx, vec2 p_dy) {
   for (int layer = 0; layer < 100 && open > 0.001; ++layer) {
     uint last2;
     Copy copy;
-    find_next_old(p, corner, last, last2, copy);
+    find_next_old(p, low, last, last2, copy);
     open = 0.0;
     if (last2 > 0u) {
       vec4 seen = paint_old(copy, p_dx, p_dy);
@@ -288,10 +280,10 @@ View by_rank_old(vec2 p, vec2 corner, vec2 p_dx, vec2 p_dy) {
 // bomb (bombing/bomb.glsl)
 vec4 bomb_old(vec2 uv, vec4 background, vec2 uv_dx, vec2 uv_dy) {
   vec2 p = uv * 7.0 - 0.5;
-  vec2 corner = floor(p - 0.14999998);
+  vec2 low = p - 0.14999998;
   vec2 p_dx = uv_dx * 7.0;
   vec2 p_dy = uv_dy * 7.0;
-  View view = by_rank_old(p, corner, p_dx, p_dy);
+  View view = by_rank_old(p, low, p_dx, p_dy);
   float covered = 1.0 - view.through;
   float alpha = mix(background.w, 1.0, covered);
   vec3 below = background.xyz * (background.w * view.through);
@@ -303,17 +295,16 @@ vec4 bomb_old(vec2 uv, vec4 background, vec2 uv_dx, vec2 uv_dy) {
 Copy copy_at_fresh(vec2 p, vec2 node, int index) {
   ivec2 numbers = ivec2(node);
   uvec4 bits = copy_bits(ivec2(wrap_cell(numbers.x, 6), wrap_cell(numbers.y, 6)), index, 2);
-  Copy copy = Copy(bits.w, bits.z, p - node - vec2(ivec2(bits.xy)) * 2.3283064e-10);
+  vec2 moved = vec2(ivec2(bits.xy)) * 2.3283064e-10;
+  Copy copy = Copy(bits.w, bits.z, p - node - moved);
   return copy;
 }
 
-// distance_of_fresh, of bomb (bombing/bomb.glsl)
-vec2 distance_of_fresh(Copy copy) {
+// pose_of_fresh, of bomb (bombing/bomb.glsl)
+vec2 pose_of_fresh(Copy copy) {
   uint hash_value = hash(copy.seed - 2u);
-  float side = mix(0.85, 1.5, (vec2(float(hash_value & 65535u), float(hash_value >> 16u))
-      * 1.5258789e-5).x);
-  float square = dot(copy.from, copy.from);
-  return vec2(square, 0.25 * side * side);
+  vec2 luck = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
+  return vec2(mix(0.85, 1.5, luck.x), mix(-180.0, 180.0, luck.y) * 0.017453292);
 }
 
 // hash (random/hash.glsl)
@@ -388,20 +379,23 @@ float curve(float value) {
 
 // is_there_fresh, of bomb (bombing/bomb.glsl)
 bool is_there_fresh(Copy copy, vec2 p) {
-  float chance = curve(gradient_noise((p - copy.from + 0.5) / 6.0)) * fallen;
+  vec2 center = p - copy.from;
+  float chance = curve(gradient_noise((center + 0.5) / 6.0)) * fallen;
   bool test = float(hash(copy.seed - 3u) >> 8u) * 5.9604645e-8 < chance;
-  return chance >= 1.0 || test;
+  bool stays = chance >= 1.0 || test;
+  return stays;
 }
 
 // find_next_fresh, of bomb (bombing/bomb.glsl)
-void find_next_fresh(vec2 p, vec2 corner, uint last, out uint last_out, out Copy found) {
+void find_next_fresh(vec2 p, vec2 low, uint last, out uint last_out, out Copy found) {
   Copy found2 = Copy(0u, 0u, p);
   uint best = 0u;
   for (int i = 0; i < 9; ++i) {
-    vec2 node = corner + vec2(ivec2(i % 3, i / 3));
+    vec2 node = floor(low) + vec2(ivec2(i % 3, i / 3));
     for (int index = 0; index < 2; ++index) {
       Copy copy = copy_at_fresh(p, node, index);
-      uvec2 away = floatBitsToUint(distance_of_fresh(copy));
+      vec2 pose = pose_of_fresh(copy);
+      uvec2 away = floatBitsToUint(vec2(dot(copy.from, copy.from), 0.25 * pose.x * pose.x));
       bool is_next = all(lessThan(uvec3(best, copy.luck, away.x), uvec3(copy.luck, last, away.y)));
       bool test = is_next && is_there_fresh(copy, p);
       found2 = test ? copy : found2;
@@ -410,27 +404,6 @@ void find_next_fresh(vec2 p, vec2 corner, uint last, out uint last_out, out Copy
   }
   last_out = best;
   found = found2;
-}
-
-// pose_of_fresh, of bomb (bombing/bomb.glsl)
-vec2 pose_of_fresh(Copy copy) {
-  uint hash_value = hash(copy.seed - 2u);
-  vec2 luck = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
-  return vec2(mix(0.85, 1.5, luck.x), mix(-180.0, 180.0, luck.y) * 0.017453292);
-}
-
-// arm_of_fresh, of bomb (bombing/bomb.glsl)
-vec2 arm_of_fresh(Copy copy, vec2 copy_from_dx, vec2 copy_from_dy, out vec2 result_dx,
-    out vec2 result_dy) {
-  vec2 pose = pose_of_fresh(copy);
-  float c = cos(pose.y);
-  float s = sin(pose.y);
-  vec2 sum = copy_from_dx * c + vec2(copy_from_dx.y, -copy_from_dx.x) * s;
-  vec2 sum2 = copy_from_dy * c + vec2(copy_from_dy.y, -copy_from_dy.x) * s;
-  bool test = pose.x != 0.0;
-  result_dx = test ? sum / pose.x : vec2(0.0);
-  result_dy = test ? sum2 / pose.x : vec2(0.0);
-  return (c * copy.from + s * vec2(copy.from.y, -copy.from.x)) / pose.x;
 }
 
 // leaf (function of the graph)
@@ -464,16 +437,16 @@ vec4 leaf_fresh(vec2 uv, Tile tile, vec2 uv_dx, vec2 uv_dy) {
 
 // paint_fresh, of bomb (bombing/bomb.glsl)
 vec4 paint_fresh(Copy copy, vec2 copy_from_dx, vec2 copy_from_dy) {
+  vec2 pose = pose_of_fresh(copy);
   vec2 tile_local_dx, tile_local_dy;
-  vec2 arm_of_fresh_value = arm_of_fresh(copy, copy_from_dx, copy_from_dy, tile_local_dx,
-      tile_local_dy);
+  vec2 arm_of_value = arm_of(copy, pose, copy_from_dx, copy_from_dy, tile_local_dx, tile_local_dy);
   Tile tile = Tile(copy.seed);
-  vec4 seen = leaf_fresh(arm_of_fresh_value + 0.5, tile, tile_local_dx, tile_local_dy);
+  vec4 seen = leaf_fresh(arm_of_value + 0.5, tile, tile_local_dx, tile_local_dy);
   return seen;
 }
 
 // by_rank_fresh, of bomb (bombing/bomb.glsl)
-View by_rank_fresh(vec2 p, vec2 corner, vec2 p_dx, vec2 p_dy) {
+View by_rank_fresh(vec2 p, vec2 low, vec2 p_dx, vec2 p_dy) {
   vec4 sum = vec4(0.0);
   float open = 1.0;
   float through = 1.0;
@@ -481,7 +454,7 @@ View by_rank_fresh(vec2 p, vec2 corner, vec2 p_dx, vec2 p_dy) {
   for (int layer = 0; layer < 100 && open > 0.001; ++layer) {
     uint last2;
     Copy copy;
-    find_next_fresh(p, corner, last, last2, copy);
+    find_next_fresh(p, low, last, last2, copy);
     open = 0.0;
     if (last2 > 0u) {
       vec4 seen = paint_fresh(copy, p_dx, p_dy);
@@ -498,10 +471,10 @@ View by_rank_fresh(vec2 p, vec2 corner, vec2 p_dx, vec2 p_dy) {
 // bomb (bombing/bomb.glsl)
 vec4 bomb_fresh(vec2 uv, vec4 background, vec2 uv_dx, vec2 uv_dy) {
   vec2 p = uv * 6.0 - 0.5;
-  vec2 corner = floor(p - 0.25);
+  vec2 low = p - 0.25;
   vec2 p_dx = uv_dx * 6.0;
   vec2 p_dy = uv_dy * 6.0;
-  View view = by_rank_fresh(p, corner, p_dx, p_dy);
+  View view = by_rank_fresh(p, low, p_dx, p_dy);
   float covered = 1.0 - view.through;
   float alpha = mix(background.w, 1.0, covered);
   vec3 below = background.xyz * (background.w * view.through);

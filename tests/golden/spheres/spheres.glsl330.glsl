@@ -100,7 +100,7 @@ spheres_View spheres_by_rank(vec3 p, vec3 corner, vec3 p_dx, vec3 p_dy) {
   float open = 1.0;
   float through = 1.0;
   uint last = 4294967295u;
-  for (int layer = 0; layer < 8 && open > 0.001; ++layer) {
+  for (int layer = 0; layer < 100 && open > 0.001; ++layer) {
     uint last2;
     spheres_Copy copy;
     spheres_find_next(p, corner, last, last2, copy);

@@ -385,13 +385,19 @@ uvec4 starry_sky_copy_bits(ivec2 cell, int copy, int seed) {
       + v.y * uvec4(2246822519u, 3432918353u, 461845907u, 389569706u);
 }
 
-// distance_of_dust_stars, of bomb (bombing/bomb.glsl)
-vec2 starry_sky_distance_of_dust_stars(starry_sky_Copy copy) {
+// copy_at_dust_stars, of bomb (bombing/bomb.glsl)
+starry_sky_Copy starry_sky_copy_at_dust_stars(vec2 p, vec2 node, int index) {
+  uvec4 bits = starry_sky_copy_bits(ivec2(node), index, 1);
+  vec2 moved = vec2(ivec2(bits.xy)) * 2.3283064e-10;
+  starry_sky_Copy copy = starry_sky_Copy(bits.w, p - node - moved);
+  return copy;
+}
+
+// pose_of_dust_stars, of bomb (bombing/bomb.glsl)
+vec2 starry_sky_pose_of_dust_stars(starry_sky_Copy copy) {
   uint hash_value = starry_sky_hash(copy.seed - 2u);
-  float side = mix(0.5, 1.0, (vec2(float(hash_value & 65535u), float(hash_value >> 16u))
-      * 1.5258789e-5).x);
-  float square = dot(copy.from, copy.from);
-  return vec2(square, 0.25 * side * side);
+  vec2 luck = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
+  return vec2(mix(0.5, 1.0, luck.x), 0.0);
 }
 
 // crowd_at (a function of uv)
@@ -428,26 +434,11 @@ float starry_sky_crowd_at(vec2 uv) {
 
 // is_there_dust_stars, of bomb (bombing/bomb.glsl)
 bool starry_sky_is_there_dust_stars(starry_sky_Copy copy, vec2 p) {
-  float chance = starry_sky_crowd_at((p - copy.from + 0.5) / 90.0);
+  vec2 center = p - copy.from;
+  float chance = starry_sky_crowd_at((center + 0.5) / 90.0);
   bool test = float(starry_sky_hash(copy.seed - 3u) >> 8u) * 5.9604645e-8 < chance;
-  return chance >= 1.0 || test;
-}
-
-// pose_of_dust_stars, of bomb (bombing/bomb.glsl)
-vec2 starry_sky_pose_of_dust_stars(starry_sky_Copy copy) {
-  uint hash_value = starry_sky_hash(copy.seed - 2u);
-  vec2 luck = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
-  return vec2(mix(0.5, 1.0, luck.x), 0.0);
-}
-
-// arm_of_dust_stars, of bomb (bombing/bomb.glsl)
-vec2 starry_sky_arm_of_dust_stars(starry_sky_Copy copy, vec2 copy_from_dx, vec2 copy_from_dy,
-    out vec2 result_dx, out vec2 result_dy) {
-  vec2 pose = starry_sky_pose_of_dust_stars(copy);
-  bool test = pose.x != 0.0;
-  result_dx = test ? copy_from_dx / pose.x : vec2(0.0);
-  result_dy = test ? copy_from_dy / pose.x : vec2(0.0);
-  return copy.from / pose.x;
+  bool stays = chance >= 1.0 || test;
+  return stays;
 }
 
 // spread_range (math/spread_range.glsl)
@@ -505,27 +496,28 @@ vec4 starry_sky_star(vec2 uv, starry_sky_Tile tile, vec2 uv_dx, vec2 uv_dy) {
 
 // paint_dust_stars, of bomb (bombing/bomb.glsl)
 vec4 starry_sky_paint_dust_stars(starry_sky_Copy copy, vec2 copy_from_dx, vec2 copy_from_dy) {
-  vec2 result_dx, result_dy;
-  vec2 arm_of_dust_stars_value = starry_sky_arm_of_dust_stars(copy, copy_from_dx, copy_from_dy,
-      result_dx, result_dy);
+  vec2 pose = starry_sky_pose_of_dust_stars(copy);
+  bool test = pose.x != 0.0;
+  vec2 choice = test ? copy_from_dx / pose.x : vec2(0.0);
+  vec2 choice2 = test ? copy_from_dy / pose.x : vec2(0.0);
   starry_sky_Tile tile = starry_sky_Tile(copy.seed);
-  vec4 seen = starry_sky_star(arm_of_dust_stars_value + 0.5, tile, result_dx, result_dy);
+  vec4 seen = starry_sky_star(copy.from / pose.x + 0.5, tile, choice, choice2);
   seen = vec4(seen.xyz * starlight, seen.w);
   return seen;
 }
 
 // in_order_dust_stars, of bomb (bombing/bomb.glsl)
-starry_sky_View starry_sky_in_order_dust_stars(vec2 p, vec2 corner, vec2 p_dx, vec2 p_dy) {
+starry_sky_View starry_sky_in_order_dust_stars(vec2 p, vec2 p_dx, vec2 p_dy) {
   vec3 light = vec3(0.0);
   float through = 1.0;
   for (int i = 7; i > -1; --i) {
-    int place = i / 2;
-    vec2 node = corner + vec2(ivec2(place % 2, place / 2));
-    uvec4 copy_bits_value = starry_sky_copy_bits(ivec2(node), i % 2, 1);
-    starry_sky_Copy copy = starry_sky_Copy(copy_bits_value.w,
-        p - node - vec2(ivec2(copy_bits_value.xy)) * 2.3283064e-10);
-    vec2 away = starry_sky_distance_of_dust_stars(copy);
-    if (away.x < away.y && starry_sky_is_there_dust_stars(copy, p)) {
+    int ratio = i / 2;
+    vec2 node = floor(p) + vec2(ivec2(ratio % 2, ratio / 2));
+    starry_sky_Copy copy = starry_sky_copy_at_dust_stars(p, node, i % 2);
+    vec2 pose = starry_sky_pose_of_dust_stars(copy);
+    bool test = dot(copy.from, copy.from) < 0.25 * pose.x * pose.x
+        && starry_sky_is_there_dust_stars(copy, p);
+    if (test) {
       vec4 seen = starry_sky_paint_dust_stars(copy, p_dx, p_dy);
       vec3 own = seen.xyz * seen.w;
       light += own;
@@ -538,10 +530,9 @@ starry_sky_View starry_sky_in_order_dust_stars(vec2 p, vec2 corner, vec2 p_dx, v
 // bomb (bombing/bomb.glsl)
 vec4 starry_sky_bomb_dust_stars(vec2 uv, vec4 background, vec2 uv_dx, vec2 uv_dy) {
   vec2 p = uv * 90.0 - 0.5;
-  vec2 corner = floor(p);
   vec2 p_dx = uv_dx * 90.0;
   vec2 p_dy = uv_dy * 90.0;
-  starry_sky_View view = starry_sky_in_order_dust_stars(p, corner, p_dx, p_dy);
+  starry_sky_View view = starry_sky_in_order_dust_stars(p, p_dx, p_dy);
   float covered = 1.0 - view.through;
   float alpha = mix(background.w, 1.0, covered);
   vec3 below = background.xyz * (background.w * view.through);
@@ -549,13 +540,12 @@ vec4 starry_sky_bomb_dust_stars(vec2 uv, vec4 background, vec2 uv_dx, vec2 uv_dy
   return color;
 }
 
-// distance_of_stars, of bomb (bombing/bomb.glsl)
-vec2 starry_sky_distance_of_stars(starry_sky_Copy copy) {
-  uint hash_value = starry_sky_hash(copy.seed - 2u);
-  float side = mix(0.3, 0.75, (vec2(float(hash_value & 65535u), float(hash_value >> 16u))
-      * 1.5258789e-5).x);
-  float square = dot(copy.from, copy.from);
-  return vec2(square, 0.25 * side * side);
+// copy_at_stars, of bomb (bombing/bomb.glsl)
+starry_sky_Copy starry_sky_copy_at_stars(vec2 p, vec2 node, int index) {
+  uvec4 bits = starry_sky_copy_bits(ivec2(node), index, 2);
+  vec2 moved = vec2(ivec2(bits.xy)) * 2.3283064e-10;
+  starry_sky_Copy copy = starry_sky_Copy(bits.w, p - node - moved);
+  return copy;
 }
 
 // pose_of_stars, of bomb (bombing/bomb.glsl)
@@ -565,39 +555,28 @@ vec2 starry_sky_pose_of_stars(starry_sky_Copy copy) {
   return vec2(mix(0.3, 0.75, luck.x), 0.0);
 }
 
-// arm_of_stars, of bomb (bombing/bomb.glsl)
-vec2 starry_sky_arm_of_stars(starry_sky_Copy copy, vec2 copy_from_dx, vec2 copy_from_dy,
-    out vec2 result_dx, out vec2 result_dy) {
-  vec2 pose = starry_sky_pose_of_stars(copy);
-  bool test = pose.x != 0.0;
-  result_dx = test ? copy_from_dx / pose.x : vec2(0.0);
-  result_dy = test ? copy_from_dy / pose.x : vec2(0.0);
-  return copy.from / pose.x;
-}
-
 // paint_stars, of bomb (bombing/bomb.glsl)
 vec4 starry_sky_paint_stars(starry_sky_Copy copy, vec2 copy_from_dx, vec2 copy_from_dy) {
-  vec2 result_dx, result_dy;
-  vec2 arm_of_stars_value = starry_sky_arm_of_stars(copy, copy_from_dx, copy_from_dy, result_dx,
-      result_dy);
+  vec2 pose = starry_sky_pose_of_stars(copy);
+  bool test = pose.x != 0.0;
+  vec2 choice = test ? copy_from_dx / pose.x : vec2(0.0);
+  vec2 choice2 = test ? copy_from_dy / pose.x : vec2(0.0);
   starry_sky_Tile tile = starry_sky_Tile(copy.seed);
-  vec4 seen = starry_sky_star(arm_of_stars_value + 0.5, tile, result_dx, result_dy);
+  vec4 seen = starry_sky_star(copy.from / pose.x + 0.5, tile, choice, choice2);
   seen = vec4(seen.xyz * starlight, seen.w);
   return seen;
 }
 
 // in_order_stars, of bomb (bombing/bomb.glsl)
-starry_sky_View starry_sky_in_order_stars(vec2 p, vec2 corner, vec2 p_dx, vec2 p_dy) {
+starry_sky_View starry_sky_in_order_stars(vec2 p, vec2 low, vec2 p_dx, vec2 p_dy) {
   vec3 light = vec3(0.0);
   float through = 1.0;
   for (int i = 7; i > -1; --i) {
-    int place = i / 2;
-    vec2 node = corner + vec2(ivec2(place % 2, place / 2));
-    uvec4 copy_bits_value = starry_sky_copy_bits(ivec2(node), i % 2, 2);
-    starry_sky_Copy copy = starry_sky_Copy(copy_bits_value.w,
-        p - node - vec2(ivec2(copy_bits_value.xy)) * 2.3283064e-10);
-    vec2 away = starry_sky_distance_of_stars(copy);
-    if (away.x < away.y) {
+    int ratio = i / 2;
+    vec2 node = floor(low) + vec2(ivec2(ratio % 2, ratio / 2));
+    starry_sky_Copy copy = starry_sky_copy_at_stars(p, node, i % 2);
+    vec2 pose = starry_sky_pose_of_stars(copy);
+    if (dot(copy.from, copy.from) < 0.25 * pose.x * pose.x) {
       vec4 seen = starry_sky_paint_stars(copy, p_dx, p_dy);
       vec3 own = seen.xyz * seen.w;
       light += own;
@@ -610,10 +589,10 @@ starry_sky_View starry_sky_in_order_stars(vec2 p, vec2 corner, vec2 p_dx, vec2 p
 // bomb (bombing/bomb.glsl)
 vec4 starry_sky_bomb_stars(vec2 uv, vec4 background, vec2 uv_dx, vec2 uv_dy) {
   vec2 p = uv * 26.0 - 0.5;
-  vec2 corner = floor(p + 0.125);
+  vec2 low = p + 0.125;
   vec2 p_dx = uv_dx * 26.0;
   vec2 p_dy = uv_dy * 26.0;
-  starry_sky_View view = starry_sky_in_order_stars(p, corner, p_dx, p_dy);
+  starry_sky_View view = starry_sky_in_order_stars(p, low, p_dx, p_dy);
   float covered = 1.0 - view.through;
   float alpha = mix(background.w, 1.0, covered);
   vec3 below = background.xyz * (background.w * view.through);
@@ -621,18 +600,12 @@ vec4 starry_sky_bomb_stars(vec2 uv, vec4 background, vec2 uv_dx, vec2 uv_dy) {
   return color;
 }
 
-// distance_of_bright, of bomb (bombing/bomb.glsl)
-vec2 starry_sky_distance_of_bright(starry_sky_Copy copy) {
-  uint hash_value = starry_sky_hash(copy.seed - 2u);
-  float side = mix(0.35, 0.6, (vec2(float(hash_value & 65535u), float(hash_value >> 16u))
-      * 1.5258789e-5).x);
-  float square = dot(copy.from, copy.from);
-  return vec2(square, 0.25 * side * side);
-}
-
-// is_there_bright, of bomb (bombing/bomb.glsl)
-bool starry_sky_is_there_bright(starry_sky_Copy copy) {
-  return float(starry_sky_hash(copy.seed - 3u) >> 8u) * 5.9604645e-8 < 0.6;
+// copy_at_bright, of bomb (bombing/bomb.glsl)
+starry_sky_Copy starry_sky_copy_at_bright(vec2 p, vec2 node) {
+  uvec4 bits = starry_sky_copy_bits(ivec2(node), 0, 3);
+  vec2 moved = vec2(ivec2(bits.xy)) * 2.3283064e-10;
+  starry_sky_Copy copy = starry_sky_Copy(bits.w, p - node - moved);
+  return copy;
 }
 
 // pose_of_bright, of bomb (bombing/bomb.glsl)
@@ -642,14 +615,10 @@ vec2 starry_sky_pose_of_bright(starry_sky_Copy copy) {
   return vec2(mix(0.35, 0.6, luck.x), 0.0);
 }
 
-// arm_of_bright, of bomb (bombing/bomb.glsl)
-vec2 starry_sky_arm_of_bright(starry_sky_Copy copy, vec2 copy_from_dx, vec2 copy_from_dy,
-    out vec2 result_dx, out vec2 result_dy) {
-  vec2 pose = starry_sky_pose_of_bright(copy);
-  bool test = pose.x != 0.0;
-  result_dx = test ? copy_from_dx / pose.x : vec2(0.0);
-  result_dy = test ? copy_from_dy / pose.x : vec2(0.0);
-  return copy.from / pose.x;
+// is_there_bright, of bomb (bombing/bomb.glsl)
+bool starry_sky_is_there_bright(starry_sky_Copy copy) {
+  bool stays = float(starry_sky_hash(copy.seed - 3u) >> 8u) * 5.9604645e-8 < 0.6;
+  return stays;
 }
 
 // level_thin, of levels (color/levels.glsl)
@@ -702,26 +671,27 @@ vec4 starry_sky_bright_star(vec2 uv, starry_sky_Tile tile, vec2 uv_dx, vec2 uv_d
 
 // paint_bright, of bomb (bombing/bomb.glsl)
 vec4 starry_sky_paint_bright(starry_sky_Copy copy, vec2 copy_from_dx, vec2 copy_from_dy) {
-  vec2 result_dx, result_dy;
-  vec2 arm_of_bright_value = starry_sky_arm_of_bright(copy, copy_from_dx, copy_from_dy, result_dx,
-      result_dy);
+  vec2 pose = starry_sky_pose_of_bright(copy);
+  bool test = pose.x != 0.0;
+  vec2 choice = test ? copy_from_dx / pose.x : vec2(0.0);
+  vec2 choice2 = test ? copy_from_dy / pose.x : vec2(0.0);
   starry_sky_Tile tile = starry_sky_Tile(copy.seed);
-  vec4 seen = starry_sky_bright_star(arm_of_bright_value + 0.5, tile, result_dx, result_dy);
+  vec4 seen = starry_sky_bright_star(copy.from / pose.x + 0.5, tile, choice, choice2);
   seen = vec4(seen.xyz * starlight, seen.w);
   return seen;
 }
 
 // in_order_bright, of bomb (bombing/bomb.glsl)
-starry_sky_View starry_sky_in_order_bright(vec2 p, vec2 corner, vec2 p_dx, vec2 p_dy) {
+starry_sky_View starry_sky_in_order_bright(vec2 p, vec2 low, vec2 p_dx, vec2 p_dy) {
   vec3 light = vec3(0.0);
   float through = 1.0;
   for (int i = 3; i > -1; --i) {
-    vec2 node = corner + vec2(ivec2(i % 2, i / 2));
-    uvec4 copy_bits_value = starry_sky_copy_bits(ivec2(node), 0, 3);
-    starry_sky_Copy copy = starry_sky_Copy(copy_bits_value.w,
-        p - node - vec2(ivec2(copy_bits_value.xy)) * 2.3283064e-10);
-    vec2 away = starry_sky_distance_of_bright(copy);
-    if (away.x < away.y && starry_sky_is_there_bright(copy)) {
+    vec2 node = floor(low) + vec2(ivec2(i % 2, i / 2));
+    starry_sky_Copy copy = starry_sky_copy_at_bright(p, node);
+    vec2 pose = starry_sky_pose_of_bright(copy);
+    bool test = dot(copy.from, copy.from) < 0.25 * pose.x * pose.x
+        && starry_sky_is_there_bright(copy);
+    if (test) {
       vec4 seen = starry_sky_paint_bright(copy, p_dx, p_dy);
       vec3 own = seen.xyz * seen.w;
       light += own;
@@ -734,10 +704,10 @@ starry_sky_View starry_sky_in_order_bright(vec2 p, vec2 corner, vec2 p_dx, vec2 
 // bomb (bombing/bomb.glsl)
 vec4 starry_sky_bomb_bright(vec2 uv, vec4 background, vec2 uv_dx, vec2 uv_dy) {
   vec2 p = uv * 6.0 - 0.5;
-  vec2 corner = floor(p + 0.19999999);
+  vec2 low = p + 0.19999999;
   vec2 p_dx = uv_dx * 6.0;
   vec2 p_dy = uv_dy * 6.0;
-  starry_sky_View view = starry_sky_in_order_bright(p, corner, p_dx, p_dy);
+  starry_sky_View view = starry_sky_in_order_bright(p, low, p_dx, p_dy);
   float covered = 1.0 - view.through;
   float alpha = mix(background.w, 1.0, covered);
   vec3 below = background.xyz * (background.w * view.through);

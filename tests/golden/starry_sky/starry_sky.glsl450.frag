@@ -384,13 +384,19 @@ uvec4 copy_bits(ivec2 cell, int copy, int seed) {
       + v.y * uvec4(2246822519u, 3432918353u, 461845907u, 389569706u);
 }
 
-// distance_of_dust_stars, of bomb (bombing/bomb.glsl)
-vec2 distance_of_dust_stars(Copy copy) {
+// copy_at_dust_stars, of bomb (bombing/bomb.glsl)
+Copy copy_at_dust_stars(vec2 p, vec2 node, int index) {
+  uvec4 bits = copy_bits(ivec2(node), index, 1);
+  vec2 moved = vec2(ivec2(bits.xy)) * 2.3283064e-10;
+  Copy copy = Copy(bits.w, p - node - moved);
+  return copy;
+}
+
+// pose_of_dust_stars, of bomb (bombing/bomb.glsl)
+vec2 pose_of_dust_stars(Copy copy) {
   uint hash_value = hash(copy.seed - 2u);
-  float side = mix(0.5, 1.0, (vec2(float(hash_value & 65535u), float(hash_value >> 16u))
-      * 1.5258789e-5).x);
-  float square = dot(copy.from, copy.from);
-  return vec2(square, 0.25 * side * side);
+  vec2 luck = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
+  return vec2(mix(0.5, 1.0, luck.x), 0.0);
 }
 
 // crowd_at (a function of uv)
@@ -427,26 +433,11 @@ float crowd_at(vec2 uv) {
 
 // is_there_dust_stars, of bomb (bombing/bomb.glsl)
 bool is_there_dust_stars(Copy copy, vec2 p) {
-  float chance = crowd_at((p - copy.from + 0.5) / 90.0);
+  vec2 center = p - copy.from;
+  float chance = crowd_at((center + 0.5) / 90.0);
   bool test = float(hash(copy.seed - 3u) >> 8u) * 5.9604645e-8 < chance;
-  return chance >= 1.0 || test;
-}
-
-// pose_of_dust_stars, of bomb (bombing/bomb.glsl)
-vec2 pose_of_dust_stars(Copy copy) {
-  uint hash_value = hash(copy.seed - 2u);
-  vec2 luck = vec2(float(hash_value & 65535u), float(hash_value >> 16u)) * 1.5258789e-5;
-  return vec2(mix(0.5, 1.0, luck.x), 0.0);
-}
-
-// arm_of_dust_stars, of bomb (bombing/bomb.glsl)
-vec2 arm_of_dust_stars(Copy copy, vec2 copy_from_dx, vec2 copy_from_dy, out vec2 result_dx,
-    out vec2 result_dy) {
-  vec2 pose = pose_of_dust_stars(copy);
-  bool test = pose.x != 0.0;
-  result_dx = test ? copy_from_dx / pose.x : vec2(0.0);
-  result_dy = test ? copy_from_dy / pose.x : vec2(0.0);
-  return copy.from / pose.x;
+  bool stays = chance >= 1.0 || test;
+  return stays;
 }
 
 // spread_range (math/spread_range.glsl)
@@ -504,26 +495,27 @@ vec4 star(vec2 uv, Tile tile, vec2 uv_dx, vec2 uv_dy) {
 
 // paint_dust_stars, of bomb (bombing/bomb.glsl)
 vec4 paint_dust_stars(Copy copy, vec2 copy_from_dx, vec2 copy_from_dy) {
-  vec2 result_dx, result_dy;
-  vec2 arm_of_dust_stars_value = arm_of_dust_stars(copy, copy_from_dx, copy_from_dy, result_dx,
-      result_dy);
+  vec2 pose = pose_of_dust_stars(copy);
+  bool test = pose.x != 0.0;
+  vec2 choice = test ? copy_from_dx / pose.x : vec2(0.0);
+  vec2 choice2 = test ? copy_from_dy / pose.x : vec2(0.0);
   Tile tile = Tile(copy.seed);
-  vec4 seen = star(arm_of_dust_stars_value + 0.5, tile, result_dx, result_dy);
+  vec4 seen = star(copy.from / pose.x + 0.5, tile, choice, choice2);
   seen = vec4(seen.xyz * starlight, seen.w);
   return seen;
 }
 
 // in_order_dust_stars, of bomb (bombing/bomb.glsl)
-View in_order_dust_stars(vec2 p, vec2 corner, vec2 p_dx, vec2 p_dy) {
+View in_order_dust_stars(vec2 p, vec2 p_dx, vec2 p_dy) {
   vec3 light = vec3(0.0);
   float through = 1.0;
   for (int i = 7; i > -1; --i) {
-    int place = i / 2;
-    vec2 node = corner + vec2(ivec2(place % 2, place / 2));
-    uvec4 copy_bits_value = copy_bits(ivec2(node), i % 2, 1);
-    Copy copy = Copy(copy_bits_value.w, p - node - vec2(ivec2(copy_bits_value.xy)) * 2.3283064e-10);
-    vec2 away = distance_of_dust_stars(copy);
-    if (away.x < away.y && is_there_dust_stars(copy, p)) {
+    int ratio = i / 2;
+    vec2 node = floor(p) + vec2(ivec2(ratio % 2, ratio / 2));
+    Copy copy = copy_at_dust_stars(p, node, i % 2);
+    vec2 pose = pose_of_dust_stars(copy);
+    bool test = dot(copy.from, copy.from) < 0.25 * pose.x * pose.x && is_there_dust_stars(copy, p);
+    if (test) {
       vec4 seen = paint_dust_stars(copy, p_dx, p_dy);
       vec3 own = seen.xyz * seen.w;
       light += own;
@@ -536,10 +528,9 @@ View in_order_dust_stars(vec2 p, vec2 corner, vec2 p_dx, vec2 p_dy) {
 // bomb (bombing/bomb.glsl)
 vec4 bomb_dust_stars(vec2 uv, vec4 background, vec2 uv_dx, vec2 uv_dy) {
   vec2 p = uv * 90.0 - 0.5;
-  vec2 corner = floor(p);
   vec2 p_dx = uv_dx * 90.0;
   vec2 p_dy = uv_dy * 90.0;
-  View view = in_order_dust_stars(p, corner, p_dx, p_dy);
+  View view = in_order_dust_stars(p, p_dx, p_dy);
   float covered = 1.0 - view.through;
   float alpha = mix(background.w, 1.0, covered);
   vec3 below = background.xyz * (background.w * view.through);
@@ -547,13 +538,12 @@ vec4 bomb_dust_stars(vec2 uv, vec4 background, vec2 uv_dx, vec2 uv_dy) {
   return color;
 }
 
-// distance_of_stars, of bomb (bombing/bomb.glsl)
-vec2 distance_of_stars(Copy copy) {
-  uint hash_value = hash(copy.seed - 2u);
-  float side = mix(0.3, 0.75, (vec2(float(hash_value & 65535u), float(hash_value >> 16u))
-      * 1.5258789e-5).x);
-  float square = dot(copy.from, copy.from);
-  return vec2(square, 0.25 * side * side);
+// copy_at_stars, of bomb (bombing/bomb.glsl)
+Copy copy_at_stars(vec2 p, vec2 node, int index) {
+  uvec4 bits = copy_bits(ivec2(node), index, 2);
+  vec2 moved = vec2(ivec2(bits.xy)) * 2.3283064e-10;
+  Copy copy = Copy(bits.w, p - node - moved);
+  return copy;
 }
 
 // pose_of_stars, of bomb (bombing/bomb.glsl)
@@ -563,37 +553,28 @@ vec2 pose_of_stars(Copy copy) {
   return vec2(mix(0.3, 0.75, luck.x), 0.0);
 }
 
-// arm_of_stars, of bomb (bombing/bomb.glsl)
-vec2 arm_of_stars(Copy copy, vec2 copy_from_dx, vec2 copy_from_dy, out vec2 result_dx,
-    out vec2 result_dy) {
-  vec2 pose = pose_of_stars(copy);
-  bool test = pose.x != 0.0;
-  result_dx = test ? copy_from_dx / pose.x : vec2(0.0);
-  result_dy = test ? copy_from_dy / pose.x : vec2(0.0);
-  return copy.from / pose.x;
-}
-
 // paint_stars, of bomb (bombing/bomb.glsl)
 vec4 paint_stars(Copy copy, vec2 copy_from_dx, vec2 copy_from_dy) {
-  vec2 result_dx, result_dy;
-  vec2 arm_of_stars_value = arm_of_stars(copy, copy_from_dx, copy_from_dy, result_dx, result_dy);
+  vec2 pose = pose_of_stars(copy);
+  bool test = pose.x != 0.0;
+  vec2 choice = test ? copy_from_dx / pose.x : vec2(0.0);
+  vec2 choice2 = test ? copy_from_dy / pose.x : vec2(0.0);
   Tile tile = Tile(copy.seed);
-  vec4 seen = star(arm_of_stars_value + 0.5, tile, result_dx, result_dy);
+  vec4 seen = star(copy.from / pose.x + 0.5, tile, choice, choice2);
   seen = vec4(seen.xyz * starlight, seen.w);
   return seen;
 }
 
 // in_order_stars, of bomb (bombing/bomb.glsl)
-View in_order_stars(vec2 p, vec2 corner, vec2 p_dx, vec2 p_dy) {
+View in_order_stars(vec2 p, vec2 low, vec2 p_dx, vec2 p_dy) {
   vec3 light = vec3(0.0);
   float through = 1.0;
   for (int i = 7; i > -1; --i) {
-    int place = i / 2;
-    vec2 node = corner + vec2(ivec2(place % 2, place / 2));
-    uvec4 copy_bits_value = copy_bits(ivec2(node), i % 2, 2);
-    Copy copy = Copy(copy_bits_value.w, p - node - vec2(ivec2(copy_bits_value.xy)) * 2.3283064e-10);
-    vec2 away = distance_of_stars(copy);
-    if (away.x < away.y) {
+    int ratio = i / 2;
+    vec2 node = floor(low) + vec2(ivec2(ratio % 2, ratio / 2));
+    Copy copy = copy_at_stars(p, node, i % 2);
+    vec2 pose = pose_of_stars(copy);
+    if (dot(copy.from, copy.from) < 0.25 * pose.x * pose.x) {
       vec4 seen = paint_stars(copy, p_dx, p_dy);
       vec3 own = seen.xyz * seen.w;
       light += own;
@@ -606,10 +587,10 @@ View in_order_stars(vec2 p, vec2 corner, vec2 p_dx, vec2 p_dy) {
 // bomb (bombing/bomb.glsl)
 vec4 bomb_stars(vec2 uv, vec4 background, vec2 uv_dx, vec2 uv_dy) {
   vec2 p = uv * 26.0 - 0.5;
-  vec2 corner = floor(p + 0.125);
+  vec2 low = p + 0.125;
   vec2 p_dx = uv_dx * 26.0;
   vec2 p_dy = uv_dy * 26.0;
-  View view = in_order_stars(p, corner, p_dx, p_dy);
+  View view = in_order_stars(p, low, p_dx, p_dy);
   float covered = 1.0 - view.through;
   float alpha = mix(background.w, 1.0, covered);
   vec3 below = background.xyz * (background.w * view.through);
@@ -617,18 +598,12 @@ vec4 bomb_stars(vec2 uv, vec4 background, vec2 uv_dx, vec2 uv_dy) {
   return color;
 }
 
-// distance_of_bright, of bomb (bombing/bomb.glsl)
-vec2 distance_of_bright(Copy copy) {
-  uint hash_value = hash(copy.seed - 2u);
-  float side = mix(0.35, 0.6, (vec2(float(hash_value & 65535u), float(hash_value >> 16u))
-      * 1.5258789e-5).x);
-  float square = dot(copy.from, copy.from);
-  return vec2(square, 0.25 * side * side);
-}
-
-// is_there_bright, of bomb (bombing/bomb.glsl)
-bool is_there_bright(Copy copy) {
-  return float(hash(copy.seed - 3u) >> 8u) * 5.9604645e-8 < 0.6;
+// copy_at_bright, of bomb (bombing/bomb.glsl)
+Copy copy_at_bright(vec2 p, vec2 node) {
+  uvec4 bits = copy_bits(ivec2(node), 0, 3);
+  vec2 moved = vec2(ivec2(bits.xy)) * 2.3283064e-10;
+  Copy copy = Copy(bits.w, p - node - moved);
+  return copy;
 }
 
 // pose_of_bright, of bomb (bombing/bomb.glsl)
@@ -638,14 +613,10 @@ vec2 pose_of_bright(Copy copy) {
   return vec2(mix(0.35, 0.6, luck.x), 0.0);
 }
 
-// arm_of_bright, of bomb (bombing/bomb.glsl)
-vec2 arm_of_bright(Copy copy, vec2 copy_from_dx, vec2 copy_from_dy, out vec2 result_dx,
-    out vec2 result_dy) {
-  vec2 pose = pose_of_bright(copy);
-  bool test = pose.x != 0.0;
-  result_dx = test ? copy_from_dx / pose.x : vec2(0.0);
-  result_dy = test ? copy_from_dy / pose.x : vec2(0.0);
-  return copy.from / pose.x;
+// is_there_bright, of bomb (bombing/bomb.glsl)
+bool is_there_bright(Copy copy) {
+  bool stays = float(hash(copy.seed - 3u) >> 8u) * 5.9604645e-8 < 0.6;
+  return stays;
 }
 
 // level_thin, of levels (color/levels.glsl)
@@ -698,24 +669,26 @@ vec4 bright_star(vec2 uv, Tile tile, vec2 uv_dx, vec2 uv_dy) {
 
 // paint_bright, of bomb (bombing/bomb.glsl)
 vec4 paint_bright(Copy copy, vec2 copy_from_dx, vec2 copy_from_dy) {
-  vec2 result_dx, result_dy;
-  vec2 arm_of_bright_value = arm_of_bright(copy, copy_from_dx, copy_from_dy, result_dx, result_dy);
+  vec2 pose = pose_of_bright(copy);
+  bool test = pose.x != 0.0;
+  vec2 choice = test ? copy_from_dx / pose.x : vec2(0.0);
+  vec2 choice2 = test ? copy_from_dy / pose.x : vec2(0.0);
   Tile tile = Tile(copy.seed);
-  vec4 seen = bright_star(arm_of_bright_value + 0.5, tile, result_dx, result_dy);
+  vec4 seen = bright_star(copy.from / pose.x + 0.5, tile, choice, choice2);
   seen = vec4(seen.xyz * starlight, seen.w);
   return seen;
 }
 
 // in_order_bright, of bomb (bombing/bomb.glsl)
-View in_order_bright(vec2 p, vec2 corner, vec2 p_dx, vec2 p_dy) {
+View in_order_bright(vec2 p, vec2 low, vec2 p_dx, vec2 p_dy) {
   vec3 light = vec3(0.0);
   float through = 1.0;
   for (int i = 3; i > -1; --i) {
-    vec2 node = corner + vec2(ivec2(i % 2, i / 2));
-    uvec4 copy_bits_value = copy_bits(ivec2(node), 0, 3);
-    Copy copy = Copy(copy_bits_value.w, p - node - vec2(ivec2(copy_bits_value.xy)) * 2.3283064e-10);
-    vec2 away = distance_of_bright(copy);
-    if (away.x < away.y && is_there_bright(copy)) {
+    vec2 node = floor(low) + vec2(ivec2(i % 2, i / 2));
+    Copy copy = copy_at_bright(p, node);
+    vec2 pose = pose_of_bright(copy);
+    bool test = dot(copy.from, copy.from) < 0.25 * pose.x * pose.x && is_there_bright(copy);
+    if (test) {
       vec4 seen = paint_bright(copy, p_dx, p_dy);
       vec3 own = seen.xyz * seen.w;
       light += own;
@@ -728,10 +701,10 @@ View in_order_bright(vec2 p, vec2 corner, vec2 p_dx, vec2 p_dy) {
 // bomb (bombing/bomb.glsl)
 vec4 bomb_bright(vec2 uv, vec4 background, vec2 uv_dx, vec2 uv_dy) {
   vec2 p = uv * 6.0 - 0.5;
-  vec2 corner = floor(p + 0.19999999);
+  vec2 low = p + 0.19999999;
   vec2 p_dx = uv_dx * 6.0;
   vec2 p_dy = uv_dy * 6.0;
-  View view = in_order_bright(p, corner, p_dx, p_dy);
+  View view = in_order_bright(p, low, p_dx, p_dy);
   float covered = 1.0 - view.through;
   float alpha = mix(background.w, 1.0, covered);
   vec3 below = background.xyz * (background.w * view.through);

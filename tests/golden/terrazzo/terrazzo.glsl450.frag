@@ -158,13 +158,18 @@ vec3 random3(uint seed, int stream) {
   return vec3(product, float(hash(bits) >> 8u) * 5.9604645e-8);
 }
 
-// turn_of, of bomb3 (bombing/bomb3.glsl)
-vec4 turn_of(uint seed) {
+// turned_by, of bomb3 (bombing/bomb3.glsl)
+vec4 turned_by(uint seed) {
   vec3 luck = random3(seed, -5);
   vec2 angle = 6.2831855 * luck.yz;
   float a = sqrt(1.0 - luck.x);
   float b = sqrt(luck.x);
   return vec4(a * sin(angle.x), a * cos(angle.x), b * sin(angle.y), b * cos(angle.y));
+}
+
+// turn_of, of bomb3 (bombing/bomb3.glsl)
+vec4 turn_of(Copy copy) {
+  return turned_by(copy.seed);
 }
 
 // arm_of, of bomb3 (bombing/bomb3.glsl)
@@ -177,7 +182,8 @@ vec3 arm_of(Copy copy, vec2 size) {
 // is_there, of bomb3 (bombing/bomb3.glsl)
 bool is_there(Copy copy) {
   bool test = float(hash(copy.seed - 3u) >> 8u) * 5.9604645e-8 < amount;
-  return amount >= 1.0 || test;
+  bool stays = amount >= 1.0 || test;
+  return stays;
 }
 
 // find_next_small, of bomb3 (bombing/bomb3.glsl)
@@ -190,7 +196,7 @@ void find_next_small(vec3 p, vec3 corner, uint last, out uint last_out, out Copy
       Copy copy = copy_at(p, node, index, 3);
       bool is_next = best < copy.luck && copy.luck < last;
       if (is_next && is_near(copy, vec2(0.35, 0.57))) {
-        Copy copy2 = Copy(copy.seed, copy.luck, copy.large, turn_of(copy.seed), copy.from);
+        Copy copy2 = Copy(copy.seed, copy.luck, copy.large, turn_of(copy), copy.from);
         vec3 magnitude = abs(arm_of(copy2, vec2(0.35, 0.57)));
         bool test = max(max(magnitude.x, magnitude.y), magnitude.z) < 0.5 && is_there(copy2);
         found2 = test ? copy2 : found2;
@@ -447,7 +453,7 @@ View by_rank_small(vec3 p, vec3 corner, float near, vec3 p_dx, vec3 p_dy) {
   float open = near;
   float through = 1.0;
   uint last = 4294967295u;
-  for (int layer = 0; layer < 16 && open > 0.001; ++layer) {
+  for (int layer = 0; layer < 100 && open > 0.001; ++layer) {
     uint last2;
     Copy copy;
     find_next_small(p, corner, last, last2, copy);
@@ -508,7 +514,7 @@ void find_next_medium(vec3 p, vec3 corner, vec2 size, int seed, uint last, out u
         Copy copy = copy_at(p, node, index, seed);
         bool is_next = best < copy.luck && copy.luck < last;
         if (is_next && is_near(copy, size)) {
-          Copy copy2 = Copy(copy.seed, copy.luck, copy.large, turn_of(copy.seed), copy.from);
+          Copy copy2 = Copy(copy.seed, copy.luck, copy.large, turn_of(copy), copy.from);
           vec3 magnitude = abs(arm_of(copy2, size));
           bool test = max(max(magnitude.x, magnitude.y), magnitude.z) < 0.5 && is_there(copy2);
           found2 = test ? copy2 : found2;
@@ -527,7 +533,7 @@ View by_rank_medium(vec3 p, vec3 corner, vec2 size, int seed, float near, vec3 p
   float open = near;
   float through = 1.0;
   uint last = 4294967295u;
-  for (int layer = 0; layer < 54 && open > 0.001; ++layer) {
+  for (int layer = 0; layer < 100 && open > 0.001; ++layer) {
     uint last2;
     Copy copy;
     find_next_medium(p, corner, size, seed, last, last2, copy);

@@ -154,13 +154,18 @@ vec3 terrazzo_random3(uint seed, int stream) {
   return vec3(product, float(terrazzo_hash(bits) >> 8u) * 5.9604645e-8);
 }
 
-// turn_of, of bomb3 (bombing/bomb3.glsl)
-vec4 terrazzo_turn_of(uint seed) {
+// turned_by, of bomb3 (bombing/bomb3.glsl)
+vec4 terrazzo_turned_by(uint seed) {
   vec3 luck = terrazzo_random3(seed, -5);
   vec2 angle = 6.2831855 * luck.yz;
   float a = sqrt(1.0 - luck.x);
   float b = sqrt(luck.x);
   return vec4(a * sin(angle.x), a * cos(angle.x), b * sin(angle.y), b * cos(angle.y));
+}
+
+// turn_of, of bomb3 (bombing/bomb3.glsl)
+vec4 terrazzo_turn_of(terrazzo_Copy copy) {
+  return terrazzo_turned_by(copy.seed);
 }
 
 // arm_of, of bomb3 (bombing/bomb3.glsl)
@@ -173,7 +178,8 @@ vec3 terrazzo_arm_of(terrazzo_Copy copy, vec2 size) {
 // is_there, of bomb3 (bombing/bomb3.glsl)
 bool terrazzo_is_there(terrazzo_Copy copy) {
   bool test = float(terrazzo_hash(copy.seed - 3u) >> 8u) * 5.9604645e-8 < amount;
-  return amount >= 1.0 || test;
+  bool stays = amount >= 1.0 || test;
+  return stays;
 }
 
 // find_next_small, of bomb3 (bombing/bomb3.glsl)
@@ -188,7 +194,7 @@ void terrazzo_find_next_small(vec3 p, vec3 corner, uint last, out uint last_out,
       bool is_next = best < copy.luck && copy.luck < last;
       if (is_next && terrazzo_is_near(copy, vec2(0.35, 0.57))) {
         terrazzo_Copy copy2 = terrazzo_Copy(copy.seed, copy.luck, copy.large,
-            terrazzo_turn_of(copy.seed), copy.from);
+            terrazzo_turn_of(copy), copy.from);
         vec3 magnitude = abs(terrazzo_arm_of(copy2, vec2(0.35, 0.57)));
         bool test = max(max(magnitude.x, magnitude.y), magnitude.z) < 0.5
             && terrazzo_is_there(copy2);
@@ -448,7 +454,7 @@ terrazzo_View terrazzo_by_rank_small(vec3 p, vec3 corner, float near, vec3 p_dx,
   float open = near;
   float through = 1.0;
   uint last = 4294967295u;
-  for (int layer = 0; layer < 16 && open > 0.001; ++layer) {
+  for (int layer = 0; layer < 100 && open > 0.001; ++layer) {
     uint last2;
     terrazzo_Copy copy;
     terrazzo_find_next_small(p, corner, last, last2, copy);
@@ -510,7 +516,7 @@ void terrazzo_find_next_medium(vec3 p, vec3 corner, vec2 size, int seed, uint la
         bool is_next = best < copy.luck && copy.luck < last;
         if (is_next && terrazzo_is_near(copy, size)) {
           terrazzo_Copy copy2 = terrazzo_Copy(copy.seed, copy.luck, copy.large,
-              terrazzo_turn_of(copy.seed), copy.from);
+              terrazzo_turn_of(copy), copy.from);
           vec3 magnitude = abs(terrazzo_arm_of(copy2, size));
           bool test = max(max(magnitude.x, magnitude.y), magnitude.z) < 0.5
               && terrazzo_is_there(copy2);
@@ -531,7 +537,7 @@ terrazzo_View terrazzo_by_rank_medium(vec3 p, vec3 corner, vec2 size, int seed, 
   float open = near;
   float through = 1.0;
   uint last = 4294967295u;
-  for (int layer = 0; layer < 54 && open > 0.001; ++layer) {
+  for (int layer = 0; layer < 100 && open > 0.001; ++layer) {
     uint last2;
     terrazzo_Copy copy;
     terrazzo_find_next_medium(p, corner, size, seed, last, last2, copy);

@@ -8,6 +8,7 @@ struct regions_Tile {
 };
 struct regions_Copy {
   uint seed;
+  vec2 from;
 };
 struct regions_View {
   vec3 light;
@@ -30,19 +31,25 @@ uvec4 regions_copy_bits(ivec2 cell, int copy) {
       + v.y * uvec4(2246822519u, 3432918353u, 461845907u, 389569706u);
 }
 
+// copy_at, of bomb (bombing/bomb.glsl)
+regions_Copy regions_copy_at(vec2 p, vec2 node, int index) {
+  uvec4 bits = regions_copy_bits(ivec2(node), index);
+  vec2 moved = vec2(ivec2(bits.xy)) * 2.3283064e-10;
+  regions_Copy copy = regions_Copy(bits.w, p - node - moved);
+  return copy;
+}
+
 // find_next, of bomb (bombing/bomb.glsl)
-void regions_find_next(vec2 p, vec2 corner, uint last, int last_number, out uint last_out,
+void regions_find_next(vec2 p, vec2 low, uint last, int last_number, out uint last_out,
     out int last_number_out, out regions_Copy found) {
-  regions_Copy found2 = regions_Copy(0u);
+  regions_Copy found2 = regions_Copy(0u, p);
   uint best = 0u;
   int best_number = 0;
   for (int i = 0; i < 16; ++i) {
-    vec2 node = corner + vec2(ivec2(i % 4, i / 4));
+    vec2 node = floor(low) + vec2(ivec2(i % 4, i / 4));
     for (int index = 0; index < 3; ++index) {
-      uvec4 copy_bits_value = regions_copy_bits(ivec2(node), index);
-      vec2 difference = p - node - vec2(ivec2(copy_bits_value.xy)) * 2.3283064e-10;
-      regions_Copy copy = regions_Copy(copy_bits_value.w);
-      float projection = dot(difference, difference);
+      regions_Copy copy = regions_copy_at(p, node, index);
+      float projection = dot(copy.from, copy.from);
       uint rank = ~floatBitsToUint(projection);
       int number = i * 3 + index;
       uvec2 away = floatBitsToUint(vec2(projection, 2.25));
@@ -101,7 +108,7 @@ vec4 regions_paint(regions_Copy copy, vec2 copy_from_dx, vec2 copy_from_dy) {
 }
 
 // by_rank, of bomb (bombing/bomb.glsl)
-regions_View regions_by_rank(vec2 p, vec2 corner, vec2 p_dx, vec2 p_dy) {
+regions_View regions_by_rank(vec2 p, vec2 low, vec2 p_dx, vec2 p_dy) {
   vec4 sum = vec4(0.0);
   float open = 1.0;
   float through = 1.0;
@@ -111,7 +118,7 @@ regions_View regions_by_rank(vec2 p, vec2 corner, vec2 p_dx, vec2 p_dy) {
     uint last2;
     int last_number2;
     regions_Copy copy;
-    regions_find_next(p, corner, last, last_number, last2, last_number2, copy);
+    regions_find_next(p, low, last, last_number, last2, last_number2, copy);
     open = 0.0;
     if (last2 > 0u) {
       vec4 seen = regions_paint(copy, p_dx, p_dy);
@@ -128,10 +135,10 @@ regions_View regions_by_rank(vec2 p, vec2 corner, vec2 p_dx, vec2 p_dy) {
 // bomb (bombing/bomb.glsl)
 vec4 regions_bomb(vec2 uv, vec2 uv_dx, vec2 uv_dy) {
   vec2 p = uv * 5.773503 - 0.5;
-  vec2 corner = floor(p - 1.0);
+  vec2 low = p - 1.0;
   vec2 p_dx = uv_dx * 5.773503;
   vec2 p_dy = uv_dy * 5.773503;
-  regions_View view = regions_by_rank(p, corner, p_dx, p_dy);
+  regions_View view = regions_by_rank(p, low, p_dx, p_dy);
   float covered = 1.0 - view.through;
   vec4 color = vec4(view.light / max(covered, 1e-20), covered);
   return color;
