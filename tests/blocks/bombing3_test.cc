@@ -156,7 +156,7 @@ TEST(Bomb3Test, LeavesOutCopiesThatAreTooNear) {
       R"(, "spacing": 0.7, "copies": 2, "shape": "ball", "size": 1.6, "seed": 4)",
       {.size_min = 1.6, .size_max = 1.6, .is_ball = true, .copies = 2, .seed = 4, .spacing = 0.7},
       IsOfHigherRank);
-  const std::vector<Point> points = Scatter(250);
+  const std::vector<Point> points = ScatteredPoints(250, -1.5, 1.5);
   auto own = Draw(R"(, "spacing": 0.7, "meet": "sum")", points);
   auto more = Draw(R"(, "spacing": 0.7, "meet": "sum", "rivals": [4, 4, 4])", points);
   auto less = Draw(R"(, "spacing": 0.7, "meet": "sum", "rivals": [2, 2, 2])", points);
@@ -166,7 +166,7 @@ TEST(Bomb3Test, LeavesOutCopiesThatAreTooNear) {
 
 // A number says the same as a range that has no other; below 0 it is chance again.
 TEST(Bomb3Test, SizesAndAnglesMayBeTold) {
-  const std::vector<Point> points = Scatter(300);
+  const std::vector<Point> points = ScatteredPoints(300, -1.5, 1.5);
   auto told = Draw(R"(, "size": [0.5, 1.5], "rotation": [-90, 30], "size_at": 0.25,
                       "rotation_at": 0.5)",
                    points);

@@ -123,7 +123,7 @@ TEST(BombTest, LeavesOutCopiesThatAreTooNear) {
 // hard core of the second kind). Here m is less than n times the area, since a copy is no rival of
 // its own: by the part of the disc that lies in its cell, pi r^2 - 8/3 r^3 + r^4 / 2 in the mean.
 TEST(BombTest, SpacedDiscsDoNotOverlap) {
-  const std::vector<Point> points = Scatter(4000);
+  const std::vector<Point> points = ScatteredPoints(4000, -1.5, 1.5);
   for (const char* text : {R"("spacing": 0.5, "size": 0.5)", R"("spacing": 0, "size": 0.5)"}) {
     const std::string ports = std::string(R"(, "copies": 4, "shape": "disc", "edges": false,
       "meet": "sum", "background": [0, 0, 0, 1], "tint": 1, )") +
@@ -158,7 +158,7 @@ TEST(BombTest, SpacedDiscsDoNotOverlap) {
 
 // A number says the same as a range that has no other; below 0 it is chance again.
 TEST(BombTest, SizesAndAnglesMayBeTold) {
-  const std::vector<Point> points = Scatter(600);
+  const std::vector<Point> points = ScatteredPoints(600, -1.5, 1.5);
   auto told = Draw(R"(, "size": [0.5, 1.5], "rotation": [-90, 30], "size_at": 0.25,
                       "rotation_at": 0.5)",
                    points);
@@ -186,7 +186,7 @@ TEST(BombTest, AsksSizesAtTheCentres) {
       "bomb": {"block": "bomb", "in": {"image": "white", "size": [0.2, 1.8], "size_at": "across",
         "shape": "disc", "edges": false}}},
     "outputs": {"color": "bomb.color"}})";
-  const std::vector<Point> points = Scatter(600);
+  const std::vector<Point> points = ScatteredPoints(600, -1.5, 1.5);
   auto outputs = RunGraph(text, points, {1e-5, 1e-5}, 1e-3);
   int covered = 0, open = 0;
   for (size_t i = 0; i < points.size(); ++i) {
@@ -217,7 +217,7 @@ TEST(BombTest, TintsEachCopy) {
       "luck": {"block": "tile_random", "in": {"tile": "bomb.tile"}},
       "e": {"block": "combine3", "in": {"x": "luck"}}},
     "outputs": {"color": "bomb.color", "emission": "e"}})";
-  const std::vector<Point> points = Scatter(300);
+  const std::vector<Point> points = ScatteredPoints(300, -1.5, 1.5);
   auto outputs = RunGraph(text, points, {1e-5, 1e-5}, 1e-4);
   int covered = 0;
   for (size_t i = 0; i < points.size(); ++i) {
@@ -352,7 +352,7 @@ TEST(BombTest, NothingIsClipped) {
 // As with the cells that copies reach: identical with more that are asked whether they are too
 // near, and not with fewer.
 TEST(BombTest, LooksAtAsManyRivalsAsSpacingNeeds) {
-  const std::vector<Point> points = Scatter(500);
+  const std::vector<Point> points = ScatteredPoints(500, -1.5, 1.5);
   struct Case {
     std::string ports;
     int rivals;
@@ -377,7 +377,7 @@ TEST(BombTest, LooksAtAsManyRivalsAsSpacingNeeds) {
 
 // An odd period of rows becomes the next even one, so that moved rows close.
 TEST(BombTest, HexagonsRepeat) {
-  const std::vector<Point> points = Scatter(400);
+  const std::vector<Point> points = ScatteredPoints(400, -1.5, 1.5);
   std::vector<Point> moved;
   for (Point p : points) moved.push_back({p.x + 5 / kScale, p.y + 4 * std::sqrt(0.75) / kScale});
   const std::string ports = R"(, "grid": "hexagon", "period": [5, 3], "size": 1.4)";
