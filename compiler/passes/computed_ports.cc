@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
+#include <span>
 
 #include "compiler/base/text.h"
 
@@ -29,14 +31,30 @@ std::string NameList(const std::vector<const Port*>& ports) {
   return Listed(ports, " and ", [](const Port* port) { return "'" + port->name + "'"; });
 }
 
+// Of an int or a vector of them.
+std::vector<int32_t> Numbers(std::span<const uint32_t> words) {
+  return {words.begin(), words.end()};
+}
+
+// "3", "(2, 3)".
+std::string NumberText(const std::vector<int32_t>& numbers) {
+  if (numbers.size() == 1) return fmt::format("{}", numbers[0]);
+  return fmt::format("({})", fmt::join(numbers, ", "));
+}
+
 }  // namespace
 
 ConstId ComputedPorts::TemplateValue(const CheckedSubgraph& subgraph, uint32_t node, size_t port) {
   const BoundPort& bound = subgraph.nodes[node].inputs[port];
-  if (auto* constant = std::get_if<graph::ConstantValue>(&bound.source)) return constant->value;
+  auto* constant = std::get_if<graph::ConstantValue>(&bound.source);
+  const bool is_computed = !subgraph.nodes[node].overload->inputs[port].computed_by.empty();
+  if (constant && !is_computed) return constant->value;
   auto [value, added] = values_.try_emplace({&subgraph, node, port});
-  if (added) value->second = Compute(subgraph, node, port);
-  return value->second;
+  if (!added) return value->second;
+  if (!constant) return value->second = Compute(subgraph, node, port);
+  value->second = constant->value;
+  WarnIfTooLow(subgraph, node, port, constant->value);
+  return constant->value;
 }
 
 KnownWords ComputedPorts::KnownPort(const CheckedSubgraph& subgraph, const BoundPort& bound) {
@@ -95,37 +113,48 @@ KnownWords ComputedPorts::OutputOf(const CheckedSubgraph& subgraph, graph::NodeO
   return ir::FindKnownResult(module_, function, std::move(arguments), source.output);
 }
 
-ConstId ComputedPorts::Compute(const CheckedSubgraph& subgraph, uint32_t index, size_t port_index) {
+std::optional<ComputedPorts::Computed> ComputedPorts::Ask(const CheckedSubgraph& subgraph,
+                                                          uint32_t index, const Port& port) {
   const CheckedNode& node = subgraph.nodes[index];
   const std::vector<Port>& ports = node.overload->inputs;
-  const Port& port = ports[port_index];
   const blocks::Block* block = library_.Find(port.computed_by);
-  if (!block) return port.default_value;
+  Computed computed;
+  if (!block) return computed;
   const blocks::Overload& overload = block->overloads[0];
   std::vector<ConstId> template_values;
   std::vector<KnownWords> arguments;
-  std::vector<const Port*> from, unknown;
   for (const Port& input : overload.inputs) {
     auto own = std::ranges::find(ports, input.name, &Port::name);
-    if (own == ports.end()) return port.default_value;
+    if (own == ports.end()) return Computed();
     const auto i = static_cast<size_t>(own - ports.begin());
     if (own->kind == PortKind::kTemplate) {
       template_values.push_back(TemplateValue(subgraph, index, i));
-      if (!template_values.back()) return {};
+      if (!template_values.back()) return std::nullopt;
       continue;
     }
     arguments.push_back(KnownPort(subgraph, node.inputs[i]));
     const bool is_value = ir::IsVector(input.type);
-    if (is_value) from.push_back(&*own);
-    if (is_value && !arguments.back().IsWhole()) unknown.push_back(&*own);
+    if (is_value) computed.from.push_back(&*own);
+    if (is_value && !arguments.back().IsWhole()) computed.unknown.push_back(&*own);
   }
   const ir::FunctionId function = library_.Function(*block, overload, template_values);
-  if (!function) return {};
-  const KnownWords result = ir::FindKnownResult(module_, function, std::move(arguments), 0);
-  if (result.IsWhole()) {
-    const ConstId value = module_.Intern(port.type, result.words);
-    return IsInRange(node, port, value, from) ? value : ConstId();
+  if (!function) return std::nullopt;
+  computed.is_possible = true;
+  computed.words = ir::FindKnownResult(module_, function, std::move(arguments), 0);
+  return computed;
+}
+
+ConstId ComputedPorts::Compute(const CheckedSubgraph& subgraph, uint32_t index, size_t port_index) {
+  const CheckedNode& node = subgraph.nodes[index];
+  const Port& port = node.overload->inputs[port_index];
+  const std::optional<Computed> computed = Ask(subgraph, index, port);
+  if (!computed) return {};
+  if (!computed->is_possible) return port.default_value;
+  if (computed->words.IsWhole()) {
+    const ConstId value = module_.Intern(port.type, computed->words.words);
+    return IsInRange(node, port, value, computed->from) ? value : ConstId();
   }
+  const std::vector<const Port*>& unknown = computed->unknown;
   diagnostics_.Warn(
       DiagnosticKind::kNotComputed, node.node->range,
       fmt::format("port '{}' of node '{}' keeps its default, since {} not known when the shader is "
@@ -135,6 +164,27 @@ ConstId ComputedPorts::Compute(const CheckedSubgraph& subgraph, uint32_t index, 
                   : unknown.size() == 1 ? NameList(unknown) + " is"
                                         : NameList(unknown) + " are"));
   return port.default_value;
+}
+
+void ComputedPorts::WarnIfTooLow(const CheckedSubgraph& subgraph, uint32_t index, size_t port_index,
+                                 ConstId value) {
+  const CheckedNode& node = subgraph.nodes[index];
+  const Port& port = node.overload->inputs[port_index];
+  if (!ir::IsVector(port.type) || ir::ScalarOf(port.type) != ir::Scalar::kInt) return;
+  const std::vector<int32_t> given = Numbers(module_.Words(value));
+  // Whoever asks for the least there is means it; and then nothing has to be computed.
+  if (port.minimum && std::ranges::all_of(given, [&](int n) { return n <= *port.minimum; })) return;
+  const std::optional<Computed> computed = Ask(subgraph, index, port);
+  if (!computed || !computed->is_possible || !computed->words.IsWhole()) return;
+  const std::vector<int32_t> needed = Numbers(computed->words.words);
+  if (std::ranges::equal(given, needed, std::ranges::greater_equal())) return;
+  Diagnostic& warning = diagnostics_.Warn(
+      DiagnosticKind::kBelowComputed, node.inputs[port_index].range,
+      fmt::format("port '{}' of node '{}' is {}, and would be {} without a value, which follows "
+                  "from {}: what reaches further is cut off",
+                  port.name, node.node->name, NumberText(given), NumberText(needed),
+                  NameList(computed->from)));
+  warning.AddNote(node.node->range, port.advice);
 }
 
 bool ComputedPorts::IsInRange(const CheckedNode& node, const Port& port, ConstId value,

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -25,7 +26,9 @@ class ComputedPorts {
         diagnostics_(diagnostics) {}
 
   // The value of template port `port` of a node with a block. Invalid after an error: the computed
-  // value is out of the port's range. Warns where the default stands in for an unknown value.
+  // value is out of the port's range. Warns where the default stands in for an unknown value, and
+  // where the graph gives less than the known one; the least of the port's range is taken at its
+  // word.
   ir::ConstId TemplateValue(const graph::CheckedSubgraph& subgraph, uint32_t node, size_t port);
 
  private:
@@ -33,7 +36,16 @@ class ComputedPorts {
   using OutputKey = std::tuple<const Subgraph*, uint32_t, uint32_t>;  // node, output
   using PortKey = std::tuple<const Subgraph*, uint32_t, size_t>;      // node, port
 
+  struct Computed {
+    bool is_possible = false;               // there is such a block, with inputs that the node has
+    ir::KnownWords words;                   // not whole: not known
+    std::vector<const blocks::Port*> from;  // the values that it follows from
+    std::vector<const blocks::Port*> unknown;  // of these
+  };
+  // What the port's block gives. None after an error.
+  std::optional<Computed> Ask(const Subgraph& subgraph, uint32_t node, const blocks::Port& port);
   ir::ConstId Compute(const Subgraph& subgraph, uint32_t node, size_t port);
+  void WarnIfTooLow(const Subgraph& subgraph, uint32_t node, size_t port, ir::ConstId value);
   // What is known of a value port, or of the results of a function port.
   ir::KnownWords KnownPort(const Subgraph& subgraph, const graph::BoundPort& bound);
   // Makes what is known of an output and of those that it needs; without recursion, chains may be

@@ -51,6 +51,7 @@ void CompileText(const std::string& text, graph::DocumentFormat format, const st
 bool OnlyExpectedWarnings(const Diagnostics& diagnostics) {
   return std::ranges::all_of(diagnostics.all(), [](const Diagnostic& diagnostic) {
     return diagnostic.kind == DiagnosticKind::kNotComputed ||
+           diagnostic.kind == DiagnosticKind::kBelowComputed ||
            diagnostic.kind == DiagnosticKind::kIgnoredCoordinate;
   });
 }
