@@ -4,8 +4,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <iterator>
 
 #include "tests/fuzz/break_graph.h"
 #include "tests/fuzz/check_graph.h"
