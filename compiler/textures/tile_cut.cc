@@ -199,12 +199,12 @@ int64_t TileCut::Energy() const {
   return energy;
 }
 
-void TileCut::Improve(uint32_t settled) {
+void TileCut::Improve() {
   uint32_t all = 0;
   for (uint8_t set : allowed) all |= std::has_single_bit(set) ? 0u : set;
   // Moves since the last that changed something: after one of each label there is no more to gain.
-  int idle = std::popcount(all & settled);
-  uint32_t alpha = static_cast<uint32_t>(std::countr_one(settled));
+  int idle = 0;
+  uint32_t alpha = 0;
   for (uint32_t move = 0; move < kMaxMoves && idle < std::popcount(all); ++move, ++alpha) {
     while (!(all >> alpha % kMaxLabels & 1)) ++alpha;
     idle = Expansion(*this, alpha % kMaxLabels).Move() ? 0 : idle + 1;

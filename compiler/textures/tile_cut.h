@@ -22,8 +22,8 @@ struct TileCut {
   // Of all borders.
   int64_t Energy() const;
   // Moves labels until no expansion of one label makes the borders cheaper. Never dearer than
-  // before. `settled`: labels, a bit each, whose expansion is known to gain nothing.
-  void Improve(uint32_t settled = 0);
+  // before.
+  void Improve();
 };
 
 }  // namespace texgraph::textures

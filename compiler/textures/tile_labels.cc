@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstdlib>
+#include <utility>
 
 #include "compiler/textures/tile_cut.h"
 #include "compiler/textures/tile_patches.h"
@@ -13,6 +15,7 @@ namespace {
 // The whole tile is cut at the first scale at which it is no larger; finer ones move the seams by
 // little.
 constexpr uint32_t kCoarseSide = 64;
+constexpr size_t kTriedMiddles = 4;
 constexpr uint32_t kNoBorder = 4;
 constexpr int64_t kBand = 4;  // texels to both sides of a seam
 
@@ -20,13 +23,17 @@ uint32_t SideAt(uint32_t size, uint32_t scale) { return (size + (1u << scale) - 
 
 class TileLabeller {
  public:
-  TileLabeller(const TileSample& sample, const TileTask& task) : sample_(sample), task_(task) {}
+  TileLabeller(const TileSample& sample, const TileTask& task)
+      : sample_(sample), task_(task), patches_(task.patches) {}
 
   LabelledTile Label();
+  int64_t Seams(uint32_t scale) { return WholeCut(scale).Energy(); }
 
  private:
-  TileCut Coarsest();
-  void TryMiddles(TileCut& cut);
+  TileCut WholeCut(uint32_t scale);
+  bool IsNew(const TexelPlace& middle) const;
+  std::vector<TexelPlace> BestMiddles(const TileCut& cut) const;
+  void PlaceMiddle(TileCut& cut);
   TileCut Finer(const TileCut& coarse);
   void FreeBand(TileCut& cut) const;
 
@@ -78,14 +85,20 @@ uint8_t TileLabeller::Nearest(uint32_t x, uint32_t y) const {
   return right ? 1 : 3;
 }
 
-// Which border the texel is at, as an index of colours; kNoBorder for most.
+// Which border the texel is near, as an index of colours; kNoBorder for most.
 uint32_t TileLabeller::BorderAt(uint32_t x, uint32_t y, uint32_t side) const {
-  const uint32_t depth =
-      task_.kind == TileKind::kCorner ? std::max(BorderDepth(task_.size) >> scale_, 1u) : 1;
-  if (y < depth) return 0;
-  if (y + depth >= side) return 2;
-  if (x + depth >= side) return 1;
-  return x < depth ? 3 : kNoBorder;
+  const uint32_t depth = std::max(BorderDepth(task_.size) >> scale_, 1u);
+  const uint32_t up = std::min(y, side - 1 - y);
+  const uint32_t across = std::min(x, side - 1 - x);
+  const uint32_t lies = 2 * y >= side ? 2 : 0;
+  const uint32_t stands = 2 * x >= side ? 1 : 3;
+  if (task_.kind == TileKind::kCorner) {
+    if (up < depth) return lies;
+    return across < depth ? stands : kNoBorder;
+  }
+  // Edges end at corners: the seam between two of them is free within a wedge.
+  if (up == 0 || (up < depth && across > 2 * up)) return lies;
+  return across < depth && up > 2 * across ? stands : kNoBorder;
 }
 
 bool TileLabeller::IsFixed(uint32_t x, uint32_t y, uint32_t side, uint8_t& label) const {
@@ -125,8 +138,8 @@ TileCut TileLabeller::EmptyCut(uint32_t scale) {
   return cut;
 }
 
-TileCut TileLabeller::Coarsest() {
-  TileCut cut = EmptyCut(ScalesOfTile(task_.size) - 1);
+TileCut TileLabeller::WholeCut(uint32_t scale) {
+  TileCut cut = EmptyCut(scale);
   for (uint32_t y = 0; y < cut.side; ++y) {
     for (uint32_t x = 0; x < cut.side; ++x) {
       uint8_t& label = cut.labels[y * cut.side + x];
@@ -143,30 +156,79 @@ TileCut TileLabeller::Coarsest() {
   return cut;
 }
 
-// The middle is where the seams of all patches meet, often dearly.
-void TileLabeller::TryMiddles(TileCut& cut) {
-  const TileCut without = cut;
-  int64_t least = without.Energy();
-  TexelPlace best;
-  bool any = false;
-  for (const TexelPlace& middle : task_.middles) {
-    patches_.resize(kMiddlePatch);
-    patches_.push_back(middle);
-    TileCut with = without;
-    for (uint32_t i = 0; i < with.allowed.size(); ++i) {
-      const bool inside = InMiddle(Middle(i % cut.side), Middle(i / cut.side));
-      if (inside && !std::has_single_bit(with.allowed[i])) with.allowed[i] |= 1u << kMiddlePatch;
+// What is there anyway, or next to it, fits best of all and is nothing new.
+bool TileLabeller::IsNew(const TexelPlace& middle) const {
+  const int64_t least = task_.size / 4;
+  const auto apart = [&](int64_t a, int64_t b, int64_t size) {
+    const int64_t distance = std::abs(a - b);
+    return sample_.wraps() ? std::min(distance % size, size - distance % size) : distance;
+  };
+  return std::ranges::none_of(task_.patches, [&](const TexelPlace& patch) {
+    return apart(middle.x, patch.x, sample_.width()) < least &&
+           apart(middle.y, patch.y, sample_.height()) < least;
+  });
+}
+
+// Those that look most like the tile a quarter of it away from its border, all around.
+std::vector<TexelPlace> TileLabeller::BestMiddles(const TileCut& cut) const {
+  const uint32_t first = cut.side / 4;
+  const uint32_t last = cut.side - 1 - first;
+  std::vector<std::pair<int64_t, size_t>> ranks;
+  for (size_t i = 0; i < task_.middles.size(); ++i) {
+    if (!IsNew(task_.middles[i])) continue;
+    int64_t cost = 0;
+    const auto add = [&](uint32_t x, uint32_t y) {
+      const TexelPlace& patch = patches_[cut.labels[size_t{y} * cut.side + x]];
+      const auto place = [&](const TexelPlace& from) {
+        return TexelPlace{(from.x >> scale_) + x, (from.y >> scale_) + y};
+      };
+      cost += sample_.Difference(scale_, place(patch), place(task_.middles[i]));
+    };
+    for (uint32_t at = first; at <= last; ++at) {
+      add(at, first);
+      add(at, last);
+      add(first, at);
+      add(last, at);
     }
-    with.Improve((1u << kMiddlePatch) - 1);
+    ranks.emplace_back(cost, i);
+  }
+  std::ranges::sort(ranks);
+  std::vector<TexelPlace> best;
+  for (size_t i = 0; i < std::min(ranks.size(), kTriedMiddles); ++i)
+    best.push_back(task_.middles[ranks[i].second]);
+  return best;
+}
+
+// Without it a tile would have nothing that is not in all tiles with the same colour.
+void TileLabeller::PlaceMiddle(TileCut& cut) {
+  const TileCut without = cut;
+  const std::vector<TexelPlace> middles = BestMiddles(without);
+  const uint32_t from = 3 * cut.side / 8;
+  const uint32_t to = cut.side - from;
+  int64_t least = 0;
+  size_t best = middles.size();
+  for (size_t i = 0; i < middles.size(); ++i) {
+    patches_.resize(kMiddlePatch);
+    patches_.push_back(middles[i]);
+    TileCut with = without;
+    for (uint32_t at = 0; at < with.labels.size(); ++at) {
+      const uint32_t x = at % cut.side;
+      const uint32_t y = at / cut.side;
+      if (x >= from && x < to && y >= from && y < to) {
+        with.labels[at] = kMiddlePatch;
+        with.allowed[at] = 1u << kMiddlePatch;
+      } else if (InMiddle(Middle(x), Middle(y)) && !std::has_single_bit(with.allowed[at])) {
+        with.allowed[at] |= 1u << kMiddlePatch;
+      }
+    }
+    with.Improve();
     const int64_t energy = with.Energy();
-    if (energy >= least) continue;
+    if (best < middles.size() && energy >= least) continue;
     least = energy;
-    best = middle;
-    any = true;
+    best = i;
     cut = std::move(with);
   }
-  patches_.resize(kMiddlePatch);
-  if (any) patches_.push_back(best);
+  if (best < middles.size()) patches_.back() = middles[best];
 }
 
 // The coarse labels, a scale finer.
@@ -218,9 +280,8 @@ void TileLabeller::FreeBand(TileCut& cut) const {
 }
 
 LabelledTile TileLabeller::Label() {
-  patches_ = task_.patches;
-  TileCut cut = Coarsest();
-  TryMiddles(cut);
+  TileCut cut = WholeCut(ScalesOfTile(task_.size) - 1);
+  PlaceMiddle(cut);
   while (scale_ > 0) {
     cut = Finer(cut);
     FreeBand(cut);
@@ -235,6 +296,10 @@ uint32_t ScalesOfTile(uint32_t size) {
   uint32_t scale = 0;
   while (SideAt(size, scale) > kCoarseSide) ++scale;
   return scale + 1;
+}
+
+int64_t SeamsOfTile(const TileSample& sample, const TileTask& task, uint32_t scale) {
+  return TileLabeller(sample, task).Seams(scale);
 }
 
 LabelledTile LabelTile(const TileSample& sample, const TileTask& task) {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <limits>
+#include <utility>
 
 #include "compiler/textures/tile_seams.h"
 
@@ -64,7 +64,7 @@ class PatchSearch {
   }
 
   void RatePairs(TileWork& work);
-  std::vector<Origin> BestSet() const;
+  std::vector<PatchSet> BestSets(size_t most) const;
 
  private:
   // Candidates of all kinds stand in one row, those of a kind behind each other.
@@ -87,7 +87,8 @@ class PatchSearch {
   // 0 for places half a tile apart or further, 1 for the same one.
   double Overlap(size_t i, size_t j) const;
   double CostOf(const std::vector<size_t>& set, size_t slot, size_t candidate) const;
-  double Improve(std::vector<size_t>& set) const;
+  double Improve(std::vector<size_t>& set, size_t first_slot) const;
+  PatchSet SetOf(const std::vector<size_t>& candidates) const;
 
   const TileSample& sample_;
   const TilePackLayout& layout_;
@@ -96,6 +97,7 @@ class PatchSearch {
   std::vector<Patches> kinds_;
   std::vector<size_t> slots_;  // the kind of each colour
   std::vector<float> costs_;   // of pairs, both ways
+  std::vector<int64_t> roughness_;
 };
 
 Origin PatchSearch::RandomOrigin(PatchKind kind, uint32_t stream) const {
@@ -174,15 +176,15 @@ int64_t PatchSearch::SeamsOf(size_t i, size_t j) const {
 void PatchSearch::RatePairs(TileWork& work) {
   const size_t total = Total();
   costs_.resize(total * total);
-  std::vector<int64_t> roughness(total);
-  for (size_t i = 0; i < total; ++i) roughness[i] = Roughness(i);
+  roughness_.resize(total);
+  for (size_t i = 0; i < total; ++i) roughness_[i] = Roughness(i);
   int64_t mean = 0;
-  for (int64_t value : roughness) mean += value;
+  for (int64_t value : roughness_) mean += value;
   mean = std::max<int64_t>(mean / static_cast<int64_t>(total), 1);
   ForEachTile(static_cast<uint32_t>(total), options_.threads, [&](uint32_t i) {
     for (size_t j = i; j < total; ++j) {
       // What is rough hides seams; without this the dullest places of the sample would win.
-      const auto rough = static_cast<double>(roughness[i] + roughness[j] + mean);
+      const auto rough = static_cast<double>(roughness_[i] + roughness_[j] + mean);
       const double cost = static_cast<double>(SeamsOf(i, j)) / rough;
       costs_[i * total + j] = costs_[j * total + i] = static_cast<float>(cost);
     }
@@ -225,12 +227,13 @@ double PatchSearch::CostOf(const std::vector<size_t>& set, size_t slot, size_t c
   return cost;
 }
 
-// Each colour in turn takes the best candidate, the others given; the cost of all.
-double PatchSearch::Improve(std::vector<size_t>& set) const {
+// Each colour from `first_slot` on in turn takes the best candidate, the others given; the cost of
+// all.
+double PatchSearch::Improve(std::vector<size_t>& set, size_t first_slot) const {
   bool changed = true;
   for (int sweep = 0; sweep < kMaxSweeps && changed; ++sweep) {
     changed = false;
-    for (size_t slot = 0; slot < set.size(); ++slot) {
+    for (size_t slot = first_slot; slot < set.size(); ++slot) {
       double least = CostOf(set, slot, set[slot]);
       for (size_t i = 0; i < options_.candidates; ++i) {
         const size_t candidate = slots_[slot] * options_.candidates + i;
@@ -250,9 +253,18 @@ double PatchSearch::Improve(std::vector<size_t>& set) const {
   return cost / 2;
 }
 
-std::vector<Origin> PatchSearch::BestSet() const {
-  std::vector<size_t> best;
-  double least = std::numeric_limits<double>::max();
+PatchSet PatchSearch::SetOf(const std::vector<size_t>& candidates) const {
+  PatchSet set;
+  for (size_t candidate : candidates) {
+    set.patches.push_back(OriginOf(candidate));
+    set.roughness += static_cast<double>(roughness_[candidate]);
+  }
+  set.roughness /= static_cast<double>(candidates.size());
+  return set;
+}
+
+std::vector<PatchSet> PatchSearch::BestSets(size_t most) const {
+  std::vector<std::pair<double, std::vector<size_t>>> sets;
   for (size_t start = 0; start < std::min<size_t>(options_.candidates, kMaxStarts); ++start) {
     std::vector<size_t> set;
     for (size_t kind : slots_) {
@@ -260,14 +272,20 @@ std::vector<Origin> PatchSearch::BestSet() const {
       const size_t i = (start + set.size()) % options_.candidates;
       set.push_back(kind * options_.candidates + i);
     }
-    const double cost = Improve(set);
-    if (cost >= least) continue;
-    least = cost;
-    best = set;
+    // The best with this patch, then wherever that leads: many starts lead to the same set.
+    for (const size_t first_slot : {size_t{1}, size_t{0}}) {
+      const double cost = Improve(set, first_slot);
+      std::vector<size_t> sorted = set;
+      std::ranges::sort(sorted);
+      sets.emplace_back(cost, std::move(sorted));
+    }
   }
-  std::vector<Origin> origins;
-  for (size_t candidate : best) origins.push_back(OriginOf(candidate));
-  return origins;
+  std::ranges::sort(sets);
+  sets.erase(std::ranges::unique(sets, {}, [](const auto& set) { return set.second; }).begin(),
+             sets.end());
+  std::vector<PatchSet> best;
+  for (size_t i = 0; i < std::min(most, sets.size()); ++i) best.push_back(SetOf(sets[i].second));
+  return best;
 }
 
 }  // namespace
@@ -290,11 +308,12 @@ std::vector<TexelPlace> PatchesOfTile(const TilePackLayout& layout,
           place(stands + colors[3], size, 0)};
 }
 
-std::vector<Origin> ChoosePatches(const TileSample& sample, const TilePackLayout& layout,
-                                  const TileSetOptions& options, uint32_t scale, TileWork& work) {
+std::vector<PatchSet> RankPatches(const TileSample& sample, const TilePackLayout& layout,
+                                  const TileSetOptions& options, uint32_t scale, size_t most,
+                                  TileWork& work) {
   PatchSearch search(sample, layout, options, scale);
   search.RatePairs(work);
-  return search.BestSet();
+  return search.BestSets(most);
 }
 
 std::vector<uint32_t> SeamOverBorder(const TileSample& sample, uint32_t tile_size, bool stands,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which places of the sample the colours of a tile set stand for: random ones are tried, pairs are
-// rated by the least cost of a seam between them, and the set whose seams cost least is taken, kept
-// from being the same place several times.
+// rated by the least cost of a seam between them, and sets are ranked by what their seams cost,
+// kept from being the same place several times.
 #pragma once
 
 #include <cstdint>
@@ -30,12 +30,17 @@ std::vector<TexelPlace> PatchesOfTile(const TilePackLayout& layout,
                                       const std::vector<std::array<int64_t, 2>>& patches,
                                       const TileColors& colors);
 
-// The left bottom texels of a patch for each colour, as TileSet has them. Tells `work` of
-// candidates^2 pairs.
-std::vector<std::array<int64_t, 2>> ChoosePatches(const TileSample& sample,
-                                                  const TilePackLayout& layout,
-                                                  const TileSetOptions& options, uint32_t scale,
-                                                  TileWork& work);
+struct PatchSet {
+  // The left bottom texels of a patch for each colour, as TileSet has them.
+  std::vector<std::array<int64_t, 2>> patches;
+  double roughness = 0;  // mean step between neighbours in them, at the scale of the search
+};
+
+// Sets that differ, the best first: at least one, at most `most`. Tells `work` of each pair that is
+// rated.
+std::vector<PatchSet> RankPatches(const TileSample& sample, const TilePackLayout& layout,
+                                  const TileSetOptions& options, uint32_t scale, size_t most,
+                                  TileWork& work);
 
 // The seam over the border of two corner tiles that lies along the x axis (`stands`: along the y
 // axis), from the corner of patch `from` to that of patch `to`: in the rows from -BorderDepth to

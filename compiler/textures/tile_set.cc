@@ -18,8 +18,11 @@ namespace texgraph::textures {
 namespace {
 
 constexpr uint32_t kMinCandidates = 8;
-constexpr uint32_t kSearchSide = 32;  // of a tile where patches are searched
-constexpr uint32_t kMiddles = 4;      // tried in each tile
+constexpr uint32_t kSearchSide = 32;    // of a tile where patches are searched
+constexpr uint32_t kMiddles = 256;      // looked at for each tile
+constexpr uint32_t kMaxFinalists = 24;  // sets of patches that are tried
+constexpr uint32_t kTriedTiles = 16;    // of each
+constexpr uint64_t kTryingTime = 500;   // about as long as so many pairs take
 
 // Seeds' streams: candidates use those below.
 constexpr uint32_t kMiddleStream = 1u << 16;
@@ -47,53 +50,108 @@ class TileSetMaker {
   TileSet Make(const TileProgress& progress);
 
  private:
-  void FindBorders();
-  TileTask TaskOf(uint32_t tile) const;
+  // Of a set of patches: the seams over borders, of each ordered pair, first those that lie.
+  using Borders = std::vector<std::vector<uint32_t>>;
+
+  uint32_t SearchScale() const;
+  uint32_t Finalists() const { return std::clamp(options_.candidates / 10, 1u, kMaxFinalists); }
+  Borders BordersOf(const std::vector<std::array<int64_t, 2>>& patches) const;
+  TileTask TaskOf(uint32_t tile, const std::vector<std::array<int64_t, 2>>& patches,
+                  const Borders& borders) const;
+  std::vector<TexelPlace> MiddlesOf(uint32_t tile) const;
+  void ChoosePatches(TileWork& work);
   void CopyTile(uint32_t tile, const LabelledTile& labelled);
   void FillGutters();
-  const std::vector<uint32_t>& Border(bool stands, uint32_t from, uint32_t to) const {
-    const uint32_t colors = options_.colors[0];
-    return borders_[((stands ? colors : 0) + from) * colors + to];
-  }
-
   std::span<const Image> maps_;
   const TileSetOptions& options_;
   const TileSample& sample_;
   TileSet set_;
-  std::vector<std::vector<uint32_t>> borders_;  // of each ordered pair, first those that lie
+  Borders borders_;
 };
 
-void TileSetMaker::FindBorders() {
-  if (options_.kind != TileKind::kCorner) return;
-  const uint32_t colors = options_.colors[0];
-  borders_.resize(size_t{2} * colors * colors);
-  ForEachTile(2 * colors * colors, options_.threads, [&](uint32_t i) {
-    const bool stands = i >= colors * colors;
-    borders_[i] = SeamOverBorder(sample_, options_.tile_size, stands,
-                                 set_.patches[i / colors % colors], set_.patches[i % colors]);
-  });
+uint32_t TileSetMaker::SearchScale() const {
+  uint32_t scale = 0;
+  while ((options_.tile_size >> scale) > kSearchSide) ++scale;
+  return scale;
 }
 
-TileTask TileSetMaker::TaskOf(uint32_t tile) const {
+TileSetMaker::Borders TileSetMaker::BordersOf(
+    const std::vector<std::array<int64_t, 2>>& patches) const {
+  Borders borders;
+  if (options_.kind != TileKind::kCorner) return borders;
+  for (const bool stands : {false, true}) {
+    for (const auto& from : patches) {
+      for (const auto& to : patches)
+        borders.push_back(SeamOverBorder(sample_, options_.tile_size, stands, from, to));
+    }
+  }
+  return borders;
+}
+
+TileTask TileSetMaker::TaskOf(uint32_t tile, const std::vector<std::array<int64_t, 2>>& patches,
+                              const Borders& borders) const {
   const TilePackLayout& layout = set_.layout;
   const TileColors colors = TileAt(layout, tile % layout.columns, tile / layout.columns);
   TileTask task;
   task.kind = layout.kind;
   task.size = layout.tile_size;
-  task.patches = PatchesOfTile(layout, set_.patches, colors);
+  task.patches = PatchesOfTile(layout, patches, colors);
   if (layout.kind == TileKind::kCorner) {
-    task.borders = {Border(false, colors[0], colors[1]), Border(true, colors[1], colors[3]),
-                    Border(false, colors[2], colors[3]), Border(true, colors[0], colors[2])};
+    const size_t count = layout.colors[0];
+    const auto border = [&](bool stands, uint32_t from, uint32_t to) {
+      return std::span(borders[((stands ? count : 0) + from) * count + to]);
+    };
+    task.borders = {border(false, colors[0], colors[1]), border(true, colors[1], colors[3]),
+                    border(false, colors[2], colors[3]), border(true, colors[0], colors[2])};
   }
+  return task;
+}
+
+std::vector<TexelPlace> TileSetMaker::MiddlesOf(uint32_t tile) const {
+  std::vector<TexelPlace> middles;
   for (uint32_t i = 0; i < kMiddles; ++i) {
     const uint32_t stream = kMiddleStream + 2 * (tile * kMiddles + i);
     const auto random = [&](uint32_t axis, uint32_t size) {
-      const uint32_t places = sample_.wraps() ? size : size - layout.tile_size + 1;
+      const uint32_t places = sample_.wraps() ? size : size - options_.tile_size + 1;
       return static_cast<int64_t>(uint64_t{TileHash(options_.seed, stream + axis)} * places >> 32);
     };
-    task.middles.push_back({random(0, sample_.width()), random(1, sample_.height())});
+    middles.push_back({random(0, sample_.width()), random(1, sample_.height())});
   }
-  return task;
+  return middles;
+}
+
+// Pairs say little of how the seams of four patches go together, so the best sets are tried.
+void TileSetMaker::ChoosePatches(TileWork& work) {
+  std::vector<PatchSet> sets =
+      RankPatches(sample_, set_.layout, options_, SearchScale(), Finalists(), work);
+  std::vector<Borders> borders(sets.size());
+  const auto count = static_cast<uint32_t>(sets.size());
+  ForEachTile(count, options_.threads,
+              [&](uint32_t i) { borders[i] = BordersOf(sets[i].patches); });
+  const uint32_t tiles = std::min(set_.layout.tiles(), kTriedTiles);
+  std::vector<int64_t> costs(size_t{count} * tiles);
+  ForEachTile(count * tiles, options_.threads, [&](uint32_t i) {
+    // Spread over the pack if it has more tiles.
+    const auto tile = static_cast<uint32_t>(uint64_t{i % tiles} * set_.layout.tiles() / tiles);
+    const TileTask task = TaskOf(tile, sets[i / tiles].patches, borders[i / tiles]);
+    costs[i] = SeamsOfTile(sample_, task, SearchScale());
+    work.Add(kTryingTime);
+  });
+  // As many were to be tried.
+  work.Add(uint64_t{Finalists() - count} * tiles * kTryingTime);
+  size_t best = 0;
+  double least = 0;
+  for (size_t i = 0; i < sets.size(); ++i) {
+    double cost = 0;
+    for (uint32_t tile = 0; tile < tiles; ++tile)
+      cost += static_cast<double>(costs[i * tiles + tile]);
+    cost /= sets[i].roughness + 1;
+    if (i > 0 && cost >= least) continue;
+    least = cost;
+    best = i;
+  }
+  set_.patches = std::move(sets[best].patches);
+  borders_ = std::move(borders[best]);
 }
 
 void TileSetMaker::CopyTile(uint32_t tile, const LabelledTile& labelled) {
@@ -146,14 +204,14 @@ TileSet TileSetMaker::Make(const TileProgress& progress) {
   const uint64_t pairs = uint64_t{candidates} * (candidates + 1) / 2;
   // A tile takes about as long as so many pairs.
   const uint64_t per_tile = uint64_t{8} * options_.tile_size;
-  TileWork work(progress, pairs + tiles * per_tile);
-  uint32_t scale = 0;
-  while ((options_.tile_size >> scale) > kSearchSide) ++scale;
-  set_.patches = ChoosePatches(sample_, set_.layout, options_, scale, work);
-  FindBorders();
+  const uint64_t trials = uint64_t{Finalists()} * std::min(tiles, kTriedTiles);
+  TileWork work(progress, pairs + trials * kTryingTime + tiles * per_tile);
+  ChoosePatches(work);
   QualityOfTiles quality(sample_, set_.layout);
   ForEachTile(tiles, options_.threads, [&](uint32_t tile) {
-    const LabelledTile labelled = LabelTile(sample_, TaskOf(tile));
+    TileTask task = TaskOf(tile, set_.patches, borders_);
+    if (options_.own_middles) task.middles = MiddlesOf(tile);
+    const LabelledTile labelled = LabelTile(sample_, task);
     CopyTile(tile, labelled);
     quality.Measure(tile, labelled);
     work.Add(per_tile);

@@ -30,7 +30,11 @@ struct TileSetOptions {
   bool wraps = false;                    // the sample is periodic itself
   uint32_t seed = 0;
   uint32_t candidates = 256;  // patches among which the best are searched
-  uint32_t threads = 0;       // 0: as many as there are cores
+  // Each tile also has a patch of its own in its middle. Without, a tile has only what all tiles
+  // with one of its colours have: that repeats, but it has the fewest seams. For samples without
+  // order.
+  bool own_middles = false;
+  uint32_t threads = 0;  // 0: as many as there are cores
 };
 
 // How visible the seams are: mean absolute differences of texels on both sides of a seam, as parts
