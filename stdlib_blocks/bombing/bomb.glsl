@@ -168,9 +168,9 @@ Tile frame_of(Copy copy, vec2 pose, vec2 size, vec2 scale) {
 ///   nearer only one stays: a copy is left out if another of a higher rank is within this distance.
 ///   That is like Poisson discs, with more room between them: take several `copies`, of which most
 ///   are left out. Of n in each cell about (1 - exp(-n a)) / a stay, where a = pi spacing^2.
-///   Copies that wander go while they are too near @default 0 @range 0 2
+///   Copies that wander go while they are too near @default 0 @range 0 1
 /// @param rivals how many cells across and up have copies that can be nearer than `spacing` to one.
-///   Without a value they are as many as jitter and spacing need @default ivec2(2) @range 0 8
+///   Without a value they are as many as jitter and spacing need @default ivec2(2) @range 0 5
 ///   @computed bomb_rivals less spacing, or less jitter, needs fewer
 /// @param size least and greatest side of a copy, in cells; above 0 @default vec2(1) @ordered
 /// @param rotation least and greatest angle, counter-clockwise @default vec2(0) @unit degrees

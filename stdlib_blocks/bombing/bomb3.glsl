@@ -206,10 +206,10 @@ vec3 normal_of(Copy copy, vec3 scale, vec2 size, vec2 rotation, const bool tumbl
 ///   nearer only one stays: a copy is left out if another of a higher rank is within this distance.
 ///   Take several `copies`, of which most are left out: of n in each cell about
 ///   (1 - exp(-n a)) / a stay, where a = 4/3 pi spacing^3. Copies that wander go while they are too
-///   near @default 0 @range 0 2
+///   near @default 0 @range 0 1
 /// @param rivals how many cells across, up and away have copies that can be nearer than `spacing`
 ///   to one. Without a value they are as many as jitter and spacing need @default ivec3(2)
-///   @range 0 6 @computed bomb3_rivals less spacing, or less jitter, needs fewer
+///   @range 0 3 @computed bomb3_rivals less spacing, or less jitter, needs fewer
 /// @param size least and greatest side of a copy, in cells @default vec2(1) @ordered
 ///   @range 0.001 64
 /// @param rotation least and greatest angle about `axis`, counter-clockwise as seen from its end

@@ -157,9 +157,9 @@ TEST(Bomb3Test, LeavesOutCopiesThatAreTooNear) {
       {.size_min = 1.6, .size_max = 1.6, .is_ball = true, .copies = 2, .seed = 4, .spacing = 0.7},
       IsOfHigherRank);
   const std::vector<Point> points = ScatteredPoints(250, -1.5, 1.5);
-  auto own = Draw(R"(, "spacing": 0.7, "meet": "sum")", points);
-  auto more = Draw(R"(, "spacing": 0.7, "meet": "sum", "rivals": [4, 4, 4])", points);
-  auto less = Draw(R"(, "spacing": 0.7, "meet": "sum", "rivals": [2, 2, 2])", points);
+  auto own = Draw(R"(, "spacing": 0.45, "copies": 2, "meet": "sum")", points);
+  auto more = Draw(R"(, "spacing": 0.45, "copies": 2, "meet": "sum", "rivals": 3)", points);
+  auto less = Draw(R"(, "spacing": 0.45, "copies": 2, "meet": "sum", "rivals": 1)", points);
   EXPECT_EQ(own["color"].words, more["color"].words);
   EXPECT_NE(own["color"].words, less["color"].words);
 }

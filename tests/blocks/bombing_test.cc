@@ -108,13 +108,13 @@ TEST(BombTest, MovesEverySecondRowOfHexagons) {
 TEST(BombTest, LeavesOutCopiesThatAreTooNear) {
   ExpectTopmost(R"(, "spacing": 0.6, "copies": 3, "size": 1.2)",
                 {.size_min = 1.2, .size_max = 1.2, .copies = 3, .spacing = 0.6}, IsOfHigherRank);
-  ExpectTopmost(R"(, "spacing": 1.3, "jitter": 0.5, "size": 2.4, "grid": "hexagon", "seed": 3)",
-                {.jitter = 0.5,
+  ExpectTopmost(R"(, "spacing": 1, "jitter": 0.8, "size": 2.4, "grid": "hexagon", "seed": 3)",
+                {.jitter = 0.8,
                  .size_min = 2.4,
                  .size_max = 2.4,
                  .seed = 3,
                  .is_hexagonal = true,
-                 .spacing = 1.3},
+                 .spacing = 1},
                 IsOfHigherRank);
 }
 

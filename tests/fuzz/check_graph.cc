@@ -173,8 +173,10 @@ std::string CompareResults(const ir::Function& main, const NoisyResults& plain,
       if (a == b || std::fabs(double{a} - b) <= plain.slack[r][i]) continue;
       const size_t lane = i % kLanes;
       // The lanes of a quad share the levels of its samples.
+      // Nor is what rounding may turn into no number at all.
       const bool undefined = plain.undefined[lane / 4 * 4] || plain.undefined[lane / 4 * 4 + 1] ||
-                             plain.undefined[lane / 4 * 4 + 2] || plain.undefined[lane / 4 * 4 + 3];
+                             plain.undefined[lane / 4 * 4 + 2] ||
+                             plain.undefined[lane / 4 * 4 + 3] || std::isnan(plain.slack[r][i]);
       if (undefined) {
         ++report.undefined;
         continue;

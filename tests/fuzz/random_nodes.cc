@@ -63,7 +63,9 @@ double RandomNodes::Number(const Port& port, ir::Scalar scalar, size_t component
   }
   if (scalar == ir::Scalar::kUint) low = std::max(low, 0.0);
   const double first = std::ceil(low), last = std::max(first, std::floor(high));
-  return first + Below(static_cast<uint32_t>(last - first) + 1);
+  // More often a small one: several counts of a block multiply.
+  const uint32_t count = static_cast<uint32_t>(last - first) + 1;
+  return first + std::min(Below(count), Below(count));
 }
 
 std::optional<Argument> RandomNodes::Literal(const Port& port) {
