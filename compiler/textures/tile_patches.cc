@@ -14,6 +14,8 @@ using Origin = std::array<int64_t, 2>;
 
 // More starts find nothing better, as a rule.
 constexpr size_t kMaxStarts = 256;
+// Of two patches that are the same, as parts of what a pair costs in the mean.
+constexpr double kOverlapCost = 1;
 constexpr int kMaxSweeps = 8;
 
 uint32_t Pcg(uint32_t value) {
@@ -84,7 +86,7 @@ class PatchSearch {
   int64_t CornerSeams(const Origin& a, const Origin& b) const;
   int64_t EdgeSeams(const Origin& lies, const Origin& stands) const;
   int64_t EdgeEnds(bool stands, const Origin& a, const Origin& b) const;
-  // 0 for places half a tile apart or further, 1 for the same one.
+  // The share of the smaller of the two that is part of the other, too.
   double Overlap(size_t i, size_t j) const;
   double CostOf(const std::vector<size_t>& set, size_t slot, size_t candidate) const;
   double Improve(std::vector<size_t>& set, size_t first_slot) const;
@@ -195,24 +197,30 @@ void PatchSearch::RatePairs(TileWork& work) {
   const double usual = sum / static_cast<double>(costs_.size());
   for (size_t i = 0; i < total; ++i) {
     for (size_t j = 0; j < total; ++j) {
-      if (i != j) costs_[i * total + j] += static_cast<float>(4 * usual * Overlap(i, j));
+      if (i != j) costs_[i * total + j] += static_cast<float>(kOverlapCost * usual * Overlap(i, j));
     }
   }
 }
 
 double PatchSearch::Overlap(size_t i, size_t j) const {
-  int64_t distance = 0;
+  double share = 1;
   for (int axis = 0; axis < 2; ++axis) {
-    const auto middle = [&](size_t candidate) {
-      const UsedPart used = UsedOf(KindOf(candidate), axis, layout_.tile_size);
-      return 2 * OriginOf(candidate)[static_cast<size_t>(axis)] + used.first + used.end;
+    const int64_t sample = axis == 0 ? sample_.width() : sample_.height();
+    const UsedPart a = UsedOf(KindOf(i), axis, layout_.tile_size);
+    const UsedPart b = UsedOf(KindOf(j), axis, layout_.tile_size);
+    const auto at = [&](size_t candidate) {
+      return OriginOf(candidate)[static_cast<size_t>(axis)];
     };
-    int64_t apart = std::abs(middle(i) - middle(j));
-    const int64_t size = 2 * int64_t{axis == 0 ? sample_.width() : sample_.height()};
-    if (sample_.wraps()) apart = std::min(apart % size, size - apart % size);
-    distance = std::max(distance, apart);
+    // Twice the distance of their middles.
+    int64_t apart = std::abs(2 * (at(i) - at(j)) + a.first + a.end - b.first - b.end);
+    if (sample_.wraps()) apart = std::min(apart % (2 * sample), 2 * sample - apart % (2 * sample));
+    const int64_t width = a.end - a.first;
+    const int64_t other = b.end - b.first;
+    const auto common = static_cast<double>(width + other - apart) / 2;
+    const auto less = static_cast<double>(std::min(width, other));
+    share *= std::clamp(common / less, 0.0, 1.0);
   }
-  return std::max(0.0, 1.0 - static_cast<double>(distance) / layout_.tile_size);
+  return share;
 }
 
 double PatchSearch::CostOf(const std::vector<size_t>& set, size_t slot, size_t candidate) const {

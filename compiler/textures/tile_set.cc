@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include <algorithm>
+#include <cmath>
 #include <new>
 
 #include "compiler/textures/texel_chain.h"
@@ -280,12 +281,15 @@ bool CheckMaps(std::span<const Image> maps, std::string_view name, SourceRange r
   return true;
 }
 
-// One for each map: the weights, or 1 if there are none that can be used.
+// One for each map: the weights, or 1 if none of them can be used.
 std::vector<double> WeightsOf(std::span<const double> weights, size_t maps) {
-  const bool good = weights.size() == maps &&
-                    std::ranges::any_of(weights, [](double weight) { return weight > 0; });
-  if (!good) return std::vector<double>(maps, 1.0);
-  return {weights.begin(), weights.end()};
+  const auto counts = [](double weight) { return std::isfinite(weight) && weight > 0; };
+  if (weights.size() != maps || std::ranges::none_of(weights, counts)) {
+    return std::vector<double>(maps, 1.0);
+  }
+  std::vector<double> good(weights.begin(), weights.end());
+  for (double& weight : good) weight = counts(weight) ? weight : 0;
+  return good;
 }
 
 }  // namespace
