@@ -75,7 +75,7 @@ uint32_t LargestTileOfSample(uint32_t width, uint32_t height, bool wraps);
 bool CheckTileSet(const TileSetOptions& options, uint32_t sample_width, uint32_t sample_height,
                   std::string_view name, SourceRange range, Diagnostics& diagnostics);
 
-// `weights`: how much each map counts where seams are searched, at least 0, one above 0; none: all
+// `weights`: how much each map counts where seams are searched; none, or none above 0: all
 // alike. Reported, naming `name`: all of CheckTileSet, kBadImage for no maps or maps of different
 // sizes, kSizeLimit, kOutOfMemory.
 std::optional<TileSet> MakeTileSet(std::span<const Image> maps, std::span<const double> weights,

@@ -155,7 +155,9 @@ TEST(TileSetTest, MapsOfNoWeightDoNotCount) {
   const auto alone = Make({maps.data(), 1}, options);
   const auto first = Make(maps, options, std::vector<double>{1, 0});
   const auto second = Make(maps, options, std::vector<double>{0, 1});
-  ASSERT_TRUE(alone && first && second);
+  const auto negative = Make(maps, options, std::vector<double>{2, -3});
+  ASSERT_TRUE(alone && first && second && negative);
+  EXPECT_EQ(negative->packs[0].pixels, alone->packs[0].pixels);
   EXPECT_EQ(first->packs[0].pixels, alone->packs[0].pixels);
   EXPECT_NE(second->packs[0].pixels, alone->packs[0].pixels);
 }
