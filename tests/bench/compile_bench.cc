@@ -62,6 +62,7 @@ void RegisterCompilations(const std::string& folder) {
     Register(fmt::format("images/{}", n), folder, TiledImages(n, kFiles));
     Register(fmt::format("diamond/{}", n), folder, Diamond(n));
   }
+  Register("bombing/10", folder, BombingInsideBombing(10));
 }
 
 }  // namespace texgraph::bench

@@ -99,6 +99,7 @@ void ReportCompilation(const std::map<std::string, double>& times, const Process
   report.Row("1,000 chained additions, in process", time("adds/1000"), "ms", 2.5);
   report.Row("1,000 pairs of noise and mix, in process", time("noise_and_mix/1000"), "ms", 6);
   report.Row("1,000 tiled images over 8 files, in process", time("images/1000"), "ms", 10);
+  report.Row("10 bombings inside of one another, in process", time("bombing/10"), "ms", 50);
   for (const char* name : {"adds", "noise_and_mix", "images", "diamond"}) {
     report.Row(fmt::format("{}: 10,000 against 1,000", name),
                time(fmt::format("{}/10000", name)) / time(fmt::format("{}/1000", name)), "times",

@@ -88,4 +88,24 @@ std::string Diamond(int n) {
   return Graph("", nodes, last);
 }
 
+std::string BombingInsideBombing(int depth) {
+  std::string functions = R"("copy0": {"inputs": {"uv": "vec2"}, "nodes": {
+    "spots": {"block": "value_noise", "in": {"uv": "uv"}},
+    "image": {"block": "rgba", "in": {"color": [1, 0.5, 0], "alpha": "spots"}}},
+    "outputs": {"color": "image"}})";
+  for (int i = 1; i < depth; ++i) {
+    functions += fmt::format(
+        ", \"copy{0}\": {{ \"inputs\": {{ \"uv\": \"vec2\" }}, \"nodes\": {{ \"copies\": {{ "
+        "\"block\": \"bomb\", \"in\": {{ \"image\": \"copy{1}\", \"uv\": \"uv\", "
+        "\"scale\": [2, 2], \"seed\": {0} }} }} }}, "
+        "\"outputs\": {{ \"color\": \"copies.color\" }} }}",
+        i, i - 1);
+  }
+  return fmt::format(
+      "{{ \"texgraph\": 1, \"functions\": {{ {} }}, \"nodes\": {{ \"field\": {{ \"block\": "
+      "\"bomb\", \"in\": {{ \"image\": \"copy{}\" }} }} }}, "
+      "\"outputs\": {{ \"color\": \"field.color\" }} }}",
+      functions, depth - 1);
+}
+
 }  // namespace texgraph::bench

@@ -15,5 +15,8 @@ std::string NoiseAndMixPairs(int n);
 std::string TiledImages(int n, int files);
 // A chain in which each node takes the one before twice: 2^n paths through n nodes.
 std::string Diamond(int n);
+// Copies of noise are the image of a bombing, which is the image of the next, and so on: `depth`
+// bombings inside of one another.
+std::string BombingInsideBombing(int depth);
 
 }  // namespace texgraph::bench

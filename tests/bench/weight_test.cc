@@ -9,6 +9,7 @@
 #include "compiler/compile.h"
 #include "compiler/spirv/compile_spirv.h"
 #include "tests/bench/spirv_weight.h"
+#include "tests/bench/synthetic_graphs.h"
 
 namespace texgraph::bench {
 namespace {
@@ -53,11 +54,12 @@ INSTANTIATE_TEST_SUITE_P(PaperTable, WeightTest,
 void ExpectNoHeavierThanByHand(const std::string& graph_path, const std::string& name) {
   Sources sources;
   Diagnostics diagnostics;
-  auto graph = ReadFile(TEXGRAPH_SOURCE_DIR + graph_path, 1 << 20, {}, diagnostics);
+  const std::string path = TEXGRAPH_SOURCE_DIR + graph_path;
+  auto graph = ReadFile(path, 1 << 20, {}, diagnostics);
   ASSERT_TRUE(graph);
   CompileOptions options;
   options.target = Target::kSpirv;
-  auto compiled = Compile(sources.Add("g.jsonc", *graph), graph::DocumentFormat::kJsonc, options,
+  auto compiled = Compile(sources.Add(path, *graph), graph::DocumentFormat::kJsonc, options,
                           sources, diagnostics);
   ASSERT_TRUE(compiled) << FormatDiagnostics(diagnostics, sources, false);
   auto text = ReadFile(std::string(TEXGRAPH_SOURCE_DIR) + "/tests/bench/reference/" + name, 1 << 20,
@@ -80,6 +82,12 @@ TEST(Weight, FbmIsNotHeavierThanByHand) {
 // Exact nearest points, with a colour for each cell.
 TEST(Weight, VoronoiIsNotHeavierThanByHand) {
   ExpectNoHeavierThanByHand("/graphs/voronoi/voronoi.json", "voronoi.frag");
+}
+
+// A picture, and discs that are computed: one copy for each cell.
+TEST(Weight, BombingIsNotHeavierThanByHand) {
+  ExpectNoHeavierThanByHand("/graphs/daisies/daisies.jsonc", "daisies.frag");
+  ExpectNoHeavierThanByHand("/graphs/circles/circles.jsonc", "circles.frag");
 }
 
 // Lit balls in space, of which a surface shows the topmost.
@@ -127,24 +135,6 @@ size_t InstructionsOf(const std::string& graph) {
   return compiled ? compiled->spirv.size() : 0;
 }
 
-// Copies of noise, whose image is a bombing of its own, and so on.
-std::string BombingInsideBombing(int depth) {
-  std::string functions = R"("copy0": {"inputs": {"uv": "vec2"}, "nodes": {
-    "spots": {"block": "value_noise", "in": {"uv": "uv"}},
-    "image": {"block": "rgba", "in": {"color": [1, 0.5, 0], "alpha": "spots"}}},
-    "outputs": {"color": "image"}})";
-  for (int i = 1; i <= depth; ++i) {
-    const std::string n = std::to_string(i);
-    functions += ", \"copy" + n + R"(": {"inputs": {"uv": "vec2"}, "nodes": {"copies": {
-      "block": "bomb", "in": {"image": "copy)" +
-                 std::to_string(i - 1) + R"(", "uv": "uv", "scale": [2, 2], "seed": )" + n +
-                 R"(}}}, "outputs": {"color": "copies.color"}})";
-  }
-  return R"({"texgraph": 1, "functions": {)" + functions + R"(}, "nodes": {"field": {
-    "block": "bomb", "in": {"image": "copy)" +
-         std::to_string(depth) + R"("}}}, "outputs": {"color": "field.color"}})";
-}
-
 // Bombings over one another.
 std::string LayersOfBombing(int count) {
   std::string nodes, below = "[0, 0, 0, 1]";
@@ -161,8 +151,8 @@ std::string LayersOfBombing(int count) {
 // Each further one costs what the one before did, but for the lengths of numbers.
 TEST(Weight, NestingAndLayersOfBombingGrowLinearly) {
   for (auto graph : {BombingInsideBombing, LayersOfBombing}) {
-    const double few = InstructionsOf(graph(6)) - InstructionsOf(graph(3));
-    const double many = InstructionsOf(graph(9)) - InstructionsOf(graph(6));
+    const double few = InstructionsOf(graph(7)) - InstructionsOf(graph(4));
+    const double many = InstructionsOf(graph(10)) - InstructionsOf(graph(7));
     EXPECT_GT(few, 0);
     EXPECT_NEAR(many, few, 0.02 * few);
   }
