@@ -159,7 +159,7 @@ TEST(Bomb3Test, TumblesInAllDirections) {
   }
 }
 
-// A number for all of space, and one that grows with x from 0 to 1 in eight steps.
+// O14. A number for all of space, and one that grows with x from 0 to 1 in eight steps.
 TEST(Bomb3Test, DensityIsTheShareOfCopies) {
   const std::string grid = R"(, "jitter": 0, "size": 0.5, "scale": [64, 64, 64])";
   for (double density : {0.0, 0.25, 0.8, 1.0}) {
@@ -188,8 +188,8 @@ std::map<std::string, Values> At(double phase, const std::string& ports,
       points, {1e-5, 1e-5});
 }
 
-// A copy that is as large as three cells, so that it still is there; its frame tells how far it
-// went. Near the origin and 4,000 cells away; in the plane of x and y and in that of z and x.
+// O15. A copy that is as large as three cells, so that it still is there; its frame tells how far
+// it went. Near the origin and 4,000 cells away; in the plane of x and y and in that of z and x.
 TEST(Bomb3Test, SpeedHasABound) {
   const std::string ports = R"(, "jitter": 0.8, "size": 3, "meet": "rows")";
   constexpr double kJitter = 0.8, kSide = 3, kStep = 1.0 / 16;

@@ -96,6 +96,7 @@ struct Body {
   double side = 1;
   Matrix3 turn{};
   uint32_t seed = 0, rank = 0;
+  int index = 0;        // in its cell
   Vec3 q{};             // the point in its image
   double edge = 0;      // how far inside the point is, in its image; below 0 outside
   double distance = 0;  // from its centre
@@ -114,6 +115,7 @@ inline Body BodyAt(const Space& space, const std::array<int32_t, 3>& cell, int c
   Body body;
   body.seed = bits.bits;
   body.rank = bits.luck;
+  body.index = copy;
   body.side = Mix(space.size_min, space.size_max, Unit24(Pcg(body.seed - 2)));
   body.turn = TurnOf(space, body.seed);
   Vec3 from;

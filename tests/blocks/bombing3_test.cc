@@ -88,16 +88,17 @@ void ExpectTopmost(const std::string& ports, const Space& space, const IsAbove& 
   for (size_t i = 0; i < points.size(); ++i) {
     Vec3 p = OnPlane(points[i]);
     for (double& x : p) x *= kScale;
-    const Body* top = nullptr;
+    // Without the copies at whose rims rounding decides, and with them.
+    const Body *top = nullptr, *perhaps = nullptr;
     const std::vector<Body> bodies = BodiesAt(space, p);
-    bool is_clear = true;
     for (const Body& body : bodies) {
-      if (std::fabs(body.edge) < 2e-3) is_clear = false;
-      if (body.edge < 0) continue;
+      if (body.edge < -2e-3) continue;
+      if (!perhaps || is_above(body, *perhaps)) perhaps = &body;
+      if (body.edge < 2e-3) continue;
       contested += top != nullptr;
       if (!top || is_above(body, *top)) top = &body;
     }
-    if (!is_clear) continue;
+    if (top != perhaps) continue;
     ++clear;
     covered += top != nullptr;
     ASSERT_NEAR(outputs["emission"].Float(i, 1), top ? 1 : 0, 1e-4) << i;
@@ -114,6 +115,7 @@ void ExpectTopmost(const std::string& ports, const Space& space, const IsAbove& 
     if (!top) continue;
     ASSERT_NEAR(outputs["emission"].Float(i, 0), reference::Unit24(reference::Pcg(top->seed)), 1e-6)
         << i;
+    ASSERT_EQ(outputs["emission"].Float(i, 2), top->index) << i;
   }
   EXPECT_GT(clear, 350);
   EXPECT_GT(covered, 80);
@@ -122,6 +124,7 @@ void ExpectTopmost(const std::string& ports, const Space& space, const IsAbove& 
 
 bool IsOfHigherRank(const Body& a, const Body& b) { return a.rank > b.rank; }
 
+// O13.
 TEST(Bomb3Test, TheHighestRankWins) {
   ExpectTopmost("", {}, IsOfHigherRank);
   ExpectTopmost(R"(, "shape": "ball", "seed": 3)", {.is_ball = true, .seed = 3}, IsOfHigherRank);
@@ -189,6 +192,45 @@ TEST(Bomb3Test, OrdersByKeyOrNearnessOrRows) {
   // Equal keys: as rows, the later is in front.
   ExpectTopmost(sizes + "\"rows\"", space, [](const Body&, const Body&) { return true; });
   ExpectTopmost(sizes + "\"key\"", space, [](const Body&, const Body&) { return true; });
+}
+
+// O16 in space, for one to four points in each cell: balls that fill everything.
+TEST(Bomb3Test, NearestOfSeveralPointsAreRegions) {
+  for (int copies : {1, 4}) {
+    ExpectTopmost(
+        R"(, "shape": "ball", "size": 3.5, "edges": false, "meet": "nearest", "copies": )" +
+            std::to_string(copies),
+        {.size_min = 3.5, .size_max = 3.5, .is_ball = true, .copies = copies},
+        [](const Body& a, const Body& b) { return a.distance < b.distance; });
+  }
+}
+
+// Each copy has the colour that its tile chooses, over that of its image.
+TEST(Bomb3Test, TintsEachCopy) {
+  const std::string text = R"({"texgraph": 1,
+    "functions": {"shade": {"inputs": {"tile": "Tile3"}, "nodes": {
+        "luck": {"block": "tile_random", "in": {"tile": "tile"}},
+        "tint": {"block": "combine3", "in": {"x": "luck", "y": 0.5, "z": 2}}},
+      "outputs": {"tint": "tint"}}},
+    "nodes": {"image": {"block": "rgba", "in": {"color": [0.5, 0.25, 0.125]}},
+      "p": {"block": "components", "in": {"vector": "uv"}},
+      "place": {"block": "combine3", "in": {"x": "p.x", "y": "p.y", "z": 0.3}},
+      "bomb": {"block": "bomb3", "in": {"image": "image", "tint": "shade", "uv": "place"}},
+      "luck": {"block": "tile_random", "in": {"tile": "bomb.tile"}},
+      "e": {"block": "combine3", "in": {"x": "luck"}}},
+    "outputs": {"color": "bomb.color", "emission": "e"}})";
+  const std::vector<Point> points = ScatteredPoints(300, -1.5, 1.5);
+  auto outputs = RunGraph(text, points, {1e-5, 1e-5}, 1e-4);
+  ASSERT_EQ(outputs.size(), 2u);
+  int covered = 0;
+  for (size_t i = 0; i < points.size(); ++i) {
+    if (outputs["color"].Float(i, 3) < 1) continue;
+    ++covered;
+    ASSERT_NEAR(outputs["color"].Float(i, 0), 0.5 * outputs["emission"].Float(i, 0), 1e-5) << i;
+    ASSERT_NEAR(outputs["color"].Float(i, 1), 0.125, 1e-6) << i;
+    ASSERT_NEAR(outputs["color"].Float(i, 2), 0.25, 1e-6) << i;
+  }
+  EXPECT_GT(covered, 80);
 }
 
 // Half of the light goes through each copy: the topmost has half of what is seen, the next a
@@ -342,8 +384,8 @@ TEST(Bomb3Test, LooksAtAsManyCellsAsTheRangesNeed) {
 }
 
 TEST(Bomb3Test, LooksAtAsManyRivalsAsSpacingNeeds) {
-  auto rivals = RunBlock("bomb3_rivals",
-                         {{"jitter", Vectors({{0, 0.5, 1}})}, {"spacing", Floats({0.7})}});
+  auto rivals =
+      RunBlock("bomb3_rivals", {{"jitter", Vectors({{0, 0.5, 1}})}, {"spacing", Floats({0.7})}});
   EXPECT_EQ(rivals["result"].Int(0, 0), 2);  // 1.4
   EXPECT_EQ(rivals["result"].Int(0, 1), 2);  // 1.9
   EXPECT_EQ(rivals["result"].Int(0, 2), 3);  // 2.4
@@ -405,9 +447,9 @@ double Filled(const std::string& ports) {
   return sum / std::pow(kSide, 3);
 }
 
-// Balls and cubes that stay in their cells: the sum of the volumes. A place in a cell is covered or
-// not, so the standard deviation is at most 1/2 by the root of the number of places; between places
-// of one cell it is less, for balls are round.
+// O11. Balls and cubes that stay in their cells: the sum of the volumes. A place in a cell is
+// covered or not, so the standard deviation is at most 1/2 by the root of the number of places;
+// between places of one cell it is less, for balls are round.
 TEST(Bomb3Test, FillsAsMuchAsTheVolumes) {
   const double pi = std::numbers::pi, deviation = 0.5 / std::pow(37, 1.5);
   EXPECT_NEAR(Filled(R"(, "shape": "ball", "size": 0.7, "jitter": 0.3)"), pi / 6 * std::pow(0.7, 3),

@@ -106,7 +106,7 @@ double Mean(const Values& values) {
   return sum / static_cast<double>(values.count);
 }
 
-// A number for the whole plane, and one that grows with u from 0 to 1 in eight steps.
+// O14. A number for the whole plane, and one that grows with u from 0 to 1 in eight steps.
 TEST(BombTest, DensityIsTheShareOfCopies) {
   const std::string grid = R"(, "jitter": 0, "size": 0.5, "scale": [64, 64])";
   for (double density : {0.0, 0.25, 0.8, 1.0}) {
@@ -133,8 +133,8 @@ std::map<std::string, Values> At(double phase, const std::string& ports,
                   {1e-5, 1e-5});
 }
 
-// A copy that is as large as three cells, so that it still is there; its frame tells how far it
-// went. Near the origin and 4,000 cells away.
+// O15. A copy that is as large as three cells, so that it still is there; its frame tells how far
+// it went. Near the origin and 4,000 cells away.
 TEST(BombTest, SpeedHasABound) {
   const std::string ports = R"(, "jitter": 0.8, "size": 3, "meet": "rows")";
   constexpr double kJitter = 0.8, kSide = 3, kStep = 1.0 / 32;

@@ -50,6 +50,7 @@ struct Copy {
   Point centre;
   double side = 1, angle = 0;
   uint32_t seed = 0, rank = 0;
+  int index = 0;        // in its cell
   Point q;              // the point in its image
   double edge = 0;      // how far inside the point is, in its image; below 0 outside
   double distance = 0;  // from its centre
@@ -94,6 +95,7 @@ inline std::vector<Copy> CopiesAt(const Plane& plane, Point p) {
         Copy copy;
         copy.seed = bits[3];
         copy.rank = bits[2];
+        copy.index = i;
         if (Unit24(Pcg(copy.seed - 3)) >= plane.density) continue;
         copy.centre = CentreOf(plane, x, y, bits);
         if (std::hypot(p.x - copy.centre.x, p.y - copy.centre.y) > 0.75 * plane.size_max) continue;

@@ -50,16 +50,17 @@ void ExpectTopmost(const std::string& ports, const Plane& plane, const IsAbove& 
   ASSERT_EQ(outputs.size(), 2u);
   int clear = 0, covered = 0, contested = 0;
   for (size_t i = 0; i < points.size(); ++i) {
-    const Copy* top = nullptr;
+    // Without the copies at whose rims rounding decides, and with them.
+    const Copy *top = nullptr, *perhaps = nullptr;
     const std::vector<Copy> copies = CopiesAt(plane, {points[i].x * kScale, points[i].y * kScale});
-    bool is_clear = true;
     for (const Copy& copy : copies) {
-      if (std::fabs(copy.edge) < 2e-3) is_clear = false;
-      if (copy.edge < 0) continue;
+      if (copy.edge < -2e-3) continue;
+      if (!perhaps || is_above(copy, *perhaps)) perhaps = &copy;
+      if (copy.edge < 2e-3) continue;
       contested += top != nullptr;
       if (!top || is_above(copy, *top)) top = &copy;
     }
-    if (!is_clear) continue;
+    if (top != perhaps) continue;
     ++clear;
     covered += top != nullptr;
     ASSERT_NEAR(outputs["emission"].Float(i, 1), top ? 1 : 0, 1e-4) << i;
@@ -68,6 +69,7 @@ void ExpectTopmost(const std::string& ports, const Plane& plane, const IsAbove& 
     ASSERT_NEAR(outputs["color"].Float(i, 1), top->q.y, 1e-3) << i;
     ASSERT_NEAR(outputs["emission"].Float(i, 0), reference::Unit24(reference::Pcg(top->seed)), 1e-6)
         << i;
+    ASSERT_EQ(outputs["emission"].Float(i, 2), top->index) << i;
   }
   EXPECT_GT(clear, 600);
   EXPECT_GT(covered, 100);
@@ -76,6 +78,7 @@ void ExpectTopmost(const std::string& ports, const Plane& plane, const IsAbove& 
 
 bool IsOfHigherRank(const Copy& a, const Copy& b) { return a.rank > b.rank; }
 
+// O13.
 TEST(BombTest, TheHighestRankWins) {
   ExpectTopmost("", {}, IsOfHigherRank);
   ExpectTopmost(R"(, "shape": "disc", "seed": 3)", {.is_disc = true, .seed = 3}, IsOfHigherRank);
@@ -90,6 +93,16 @@ TEST(BombTest, TheHighestRankWins) {
   ExpectTopmost(R"(, "shape": "disc", "size": [1, 2.5], "jitter": 2, "density": 0.4)",
                 {.jitter = 2, .size_min = 1, .size_max = 2.5, .is_disc = true, .density = 0.4},
                 IsOfHigherRank);
+}
+
+// O12. Specks, and copies that reach as far as eight cells allow; more turns than one.
+TEST(BombTest, AreAsSmallAndLargeAndTurnedAsTheyShould) {
+  ExpectTopmost(R"(, "size": [0.02, 7], "jitter": 1, "seed": 2)",
+                {.size_min = 0.02, .size_max = 7, .seed = 2}, IsOfHigherRank);
+  ExpectTopmost(
+      R"(, "size": [3.4, 4.2], "rotation": [-1000, 1000], "seed": 5)",
+      {.size_min = 3.4, .size_max = 4.2, .rotation_min = -1000, .rotation_max = 1000, .seed = 5},
+      IsOfHigherRank);
 }
 
 TEST(BombTest, MovesEverySecondRowOfHexagons) {
@@ -118,10 +131,11 @@ TEST(BombTest, LeavesOutCopiesThatAreTooNear) {
                 IsOfHigherRank);
 }
 
-// Discs as wide as the spacing touch and do not overlap: nowhere is their sum more than one of them.
-// Of points anywhere, m others in reach of each in the mean, (1 - exp(-m)) / m stay (Matern 1960,
-// hard core of the second kind). Here m is less than n times the area, since a copy is no rival of
-// its own: by the part of the disc that lies in its cell, pi r^2 - 8/3 r^3 + r^4 / 2 in the mean.
+// O11. Discs as wide as the spacing touch and do not overlap: nowhere is their sum more than one of
+// them. Of points anywhere, m others in reach of each in the mean, (1 - exp(-m)) / m stay (Matern
+// 1960, hard core of the second kind). Here m is less than n times the area, since a copy is no
+// rival of its own: by the part of the disc that lies in its cell, pi r^2 - 8/3 r^3 + r^4 / 2 in
+// the mean.
 TEST(BombTest, SpacedDiscsDoNotOverlap) {
   const std::vector<Point> points = ScatteredPoints(4000, -1.5, 1.5);
   for (const char* text : {R"("spacing": 0.5, "size": 0.5)", R"("spacing": 0, "size": 0.5)"}) {
@@ -274,6 +288,48 @@ TEST(BombTest, AsksTheKeyOfEachCopy) {
   }
 }
 
+// O16 for one to four points in each cell: discs that cover everything, of which the nearest is
+// seen.
+TEST(BombTest, NearestOfSeveralPointsAreRegions) {
+  for (int copies = 1; copies <= 4; ++copies) {
+    ExpectTopmost(R"(, "shape": "disc", "size": 3, "edges": false, "meet": "nearest", "copies": )" +
+                      std::to_string(copies),
+                  {.size_min = 3, .size_max = 3, .is_disc = true, .copies = copies},
+                  [](const Copy& a, const Copy& b) { return a.distance < b.distance; });
+  }
+}
+
+// Ranges that are uniforms, with as many cells as they need, are ranges; with fewer, copies are
+// cut.
+TEST(BombTest, RangesMayBeUniforms) {
+  const auto draw = [](const std::string& binding, const std::string& cells) {
+    const std::string text = R"({"texgraph": 1,
+      "parameters": {
+        "sides": {"type": "vec2", "value": [0.5, 1.2], "binding": ")" +
+                             binding + R"("},
+        "turns": {"type": "vec2", "value": [-20, 70], "binding": ")" +
+                             binding + R"("}},
+      "nodes": {"luck": {"block": "tile_random", "in": {"tile": "bomb.tile"}},
+        "bomb": {"block": "bomb", "in": {"image": [1, 0.5, 0.25, 1], "size": "sides",
+          "rotation": "turns")" +
+                             cells + R"(}},
+        "e": {"block": "combine3", "in": {"x": "luck", "y": "bomb.covered"}}},
+      "outputs": {"emission": "e"}})";
+    return RunGraph(text, ScatteredPoints(600, -1.5, 1.5), {1e-5, 1e-5}, 1e-3)["emission"];
+  };
+  const Values known = draw("constant", "");
+  const auto equal_to_known = [&](const Values& other) {
+    int equal = 0;
+    for (size_t i = 0; i < 600; ++i) {
+      equal += known.Float(i, 0) == other.Float(i, 0) &&
+               std::fabs(known.Float(i, 1) - other.Float(i, 1)) < 1e-4;
+    }
+    return equal;
+  };
+  EXPECT_GE(equal_to_known(draw("uniform", R"(, "cells": [3, 3])")), 598);
+  EXPECT_LT(equal_to_known(draw("uniform", R"(, "cells": [2, 2])")), 590);
+}
+
 TEST(BombTest, LooksAtAsManyCellsAsTheRangesNeed) {
   struct Case {
     Vector jitter, size, rotation;
@@ -315,7 +371,7 @@ TEST(BombTest, LooksAtAsManyCellsAsTheRangesNeed) {
   EXPECT_NEAR(reach["result"].Float(0), 0.5 + std::sqrt(3.0) / 2, 1e-6);
 }
 
-// Identical to the bit with more cells, and not with fewer.
+// O11. Identical to the bit with more cells, and not with fewer.
 TEST(BombTest, NothingIsClipped) {
   struct Case {
     std::string ports;

@@ -129,6 +129,7 @@ class ExactVoronoiTest : public testing::TestWithParam<Case> {
   }
 };
 
+// O16.
 TEST_P(ExactVoronoiTest, InThePlaneAllIsAsByBruteForce) { ExpectNoErrors<2>(40000); }
 TEST_P(ExactVoronoiTest, InSpaceAllIsAsByBruteForce) { ExpectNoErrors<3>(8000); }
 
@@ -150,6 +151,7 @@ TEST(FastVoronoiTest, IsWrongAsOftenAsItsTextSays) {
   EXPECT_NEAR(Share(space.f2, space.samples), 0.117, 0.012);
 }
 
+// O17.
 TEST(VoronoiTest, NoDistanceGrowsFasterThanTheWay) {
   // Along lines, in steps of a 200th of a cell.
   for (const char* metric : {"euclidean", "manhattan", "chebyshev"}) {
@@ -162,6 +164,26 @@ TEST(VoronoiTest, NoDistanceGrowsFasterThanTheWay) {
       for (const char* output : {"f1", "f2", "border"}) {
         ASSERT_LE(std::fabs(seen[output].Float(i) - seen[output].Float(i - 1)), 0.005 + 3e-5)
             << output << " " << metric << " " << places[i][0];
+      }
+    }
+  }
+}
+
+TEST(VoronoiTest, InSpaceNoDistanceGrowsFasterThanTheWay) {
+  // Along a line that meets no edge of cells, in steps of a 100th of a cell.
+  std::vector<Vector> places;
+  constexpr double kStep = 0.01;
+  for (int i = 0; i < 8000; ++i) {
+    const double way = kStep * i;
+    places.push_back({2.0 / 3 * way, 1.0 / 3 * way + 0.21, 0.4 - 2.0 / 3 * way});
+  }
+  for (const char* metric : {"euclidean", "chebyshev"}) {
+    auto seen = RunBlock("voronoi", Arguments(places, {metric, 2, 1}, 3, true));
+    ASSERT_FALSE(seen.empty());
+    for (size_t i = 1; i < places.size(); ++i) {
+      for (const char* output : {"f1", "f2", "border"}) {
+        ASSERT_LE(std::fabs(seen[output].Float(i) - seen[output].Float(i - 1)), kStep + 3e-5)
+            << output << " " << metric << " " << i;
       }
     }
   }

@@ -32,7 +32,7 @@ struct PatternCase {
 
 class PatternBlocks : public testing::TestWithParam<PatternCase> {};
 
-// O4.
+// O4, and of the copies of bombing and the points of Voronoi, too.
 TEST_P(PatternBlocks, AreEqualToTheBit) {
   for (const std::array<double, 4>& window : {std::array<double, 4>{0, 0, 1, 1},
                                               {-40.25, -17.5, 23.75, 46.5},
@@ -102,7 +102,28 @@ INSTANTIATE_TEST_SUITE_P(
                        "t": {"block": "transition_tiles", "in": {"material": "m",
                         "families": [0, 1, 0], "transitions": [-1, 7, 2, 9, 4, 1, 0, 3, 14, 11, 5,
                         6, 13, 8, 12, -1]}},
-                       "n": {"block": "to_float", "in": {"value": "t.transition"}})"}),
+                       "n": {"block": "to_float", "in": {"value": "t.transition"}})"},
+                    // The copy of the highest rank of three in each cell, and its numbers.
+                    PatternCase{"bomb",
+                                R"("copies": {"block": "bomb", "in": {"image": [1, 1, 1, 1],
+                        "scale": [1, 1], "jitter": 0, "copies": 3, "edges": false}},
+                       "n": {"block": "tile_random", "in": {"tile": "copies.tile"}})"},
+                    PatternCase{"bomb3",
+                                R"("p": {"block": "components", "in": {"vector": "uv"}},
+                       "place": {"block": "combine3", "in": {"x": "p.x", "y": "p.y", "z": "p.x"}},
+                       "copies": {"block": "bomb3", "in": {"image": [1, 1, 1, 1], "uv": "place",
+                        "scale": [1, 1, 1], "jitter": 0, "copies": 3, "edges": false}},
+                       "n": {"block": "tile_random", "in": {"tile": "copies.tile"}})"},
+                    PatternCase{"voronoi",
+                                R"("cells": {"block": "voronoi", "in": {"scale": [1, 1],
+                        "jitter": 0, "seed": 3}},
+                       "n": {"block": "tile_random", "in": {"tile": "cells.tile"}})"},
+                    PatternCase{"voronoi_in_space",
+                                R"("p": {"block": "components", "in": {"vector": "uv"}},
+                       "place": {"block": "combine3", "in": {"x": "p.x", "y": "p.y", "z": "p.x"}},
+                       "cells": {"block": "voronoi", "in": {"uv": "place", "scale": [1, 1, 1],
+                        "jitter": 0, "seed": 3}},
+                       "n": {"block": "tile_random", "in": {"tile": "cells.tile"}})"}),
     [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace
