@@ -85,10 +85,10 @@ TEST_F(PhotographsTest, BrickWallShowsBricksAndMortar) {
 }
 
 // A leaf has 0.339 of the square in which its outline was drawn, and that is 0.84 of its frame
-// wide. Of the frames 0.8 are there, of a mean square of 1.363; a cell has 0.866: were they anywhere,
-// that would cover 1 - exp(-0.339 * 0.84^2 * 0.8 * 1.363 / 0.866) = 0.26 of the ground; on a grid
-// they overlap less, and at most 0.30 is covered. On blue ground leaves are what is not blue, and
-// shadows are blue.
+// wide. Of the frames 0.8 are there, of a mean square of 1.363; a cell has 0.866: were they
+// anywhere, that would cover 1 - exp(-0.339 * 0.84^2 * 0.8 * 1.363 / 0.866) = 0.26 of the ground;
+// on a grid they overlap less, and at most 0.30 is covered. On blue ground leaves are what is not
+// blue, and shadows are blue.
 TEST_F(PhotographsTest, LeavesLieOnTheGround) {
   std::string text = GraphText("leaf_photo/leaf_photo.jsonc");
   const std::string ground = R"("background": "ground")";
