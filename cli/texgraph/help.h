@@ -11,6 +11,7 @@ inline constexpr std::string_view kTexgraphHelp = R"(usage: texgraph COMMAND [op
 
 Commands
   render                draw a texture graph or a compiled shader to PNG or OpenEXR files
+  tiles                 make a set of tiles that fit together, of pictures of a material
 
 'texgraph COMMAND --help' lists a command's options.
 
@@ -71,6 +72,43 @@ Messages
 
 Exit codes: 0 done, 1 the graph is wrong, 2 the command line is wrong, 3 a file cannot be read or written, 4 a
 limit was reached, 5 there is no context or the driver failed, 70 a mistake of texgraph's own.
+)";
+
+inline constexpr std::string_view kTilesHelp = R"(usage: texgraph tiles [options] MAP [MAP ...]
+
+Makes a set of tiles that fit together wherever their colours agree, of one picture or of several maps of one material
+(PNG or JPEG, of one size), which are cut alike. Writes a pack of all tiles for each map, and a JSON file that says
+what a program must know to draw them.
+
+Tiles
+  --tile-size N         the side of a tile in pixels (default: 256); a map must be twice as large
+  --corners N           how many colours corners have: 2 (default) to 4, which make 16, 81 or 256 tiles
+  --edges H,V           instead: how many colours edges have that lie, and that stand, 1 to 4 each
+  --wraps               the maps repeat: what goes out on one side comes in on the other
+  --seed N              another set (default: 0)
+  --candidates N        among how many places the best are searched: 8 to 1024 (default: 256)
+  --own-middles         more variety, but more seams: each tile has a place of its own in its middle. For what has no order
+  --weights W,W,...     how much each map counts where seams are searched (default: all alike)
+
+Files
+  -o FILE               write the pack to FILE (.png), '-' for standard output; of several maps once for each
+                        (default: MAP.tiles.png in the current folder)
+  --json FILE           what a program must know (default: .json beside the first pack; none beside standard output)
+  --corner-pack         with --edges: also Wei's second pack, for corners, in FILE.corners.png beside each pack
+
+Pictures for people, of the first map
+  --view FILE           the tiles apart, with their colours marked
+  --tiling FILE         a tiling with random colours
+  --tiling-size CxR     how many tiles it has, or N for a square (default: 8)
+
+Messages
+  --report              print how visible the seams are, for each edge and tile, to standard output
+  --color WHEN          auto (default), always or never
+  -q                    don't say what was made, and show no progress
+  -h, --help            print this, and exit
+
+Exit codes: 0 done, 1 a map is wrong or too small, 2 the command line is wrong, 3 a file cannot be read or written, 4 a
+limit was reached, 70 a mistake of texgraph's own.
 )";
 
 }  // namespace texgraph::cli

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// texgraph: what is done with compiled graphs. See docs/rendering.md.
+// texgraph: what is done with compiled graphs, and with pictures without one. See
+// docs/rendering.md.
 #include <unistd.h>
 
+#include "cli/texgraph/command_line.h"
 #include "cli/texgraph/render_command.h"
-#include "cli/texgraph/render_options.h"
+#include "cli/texgraph/tiles_command.h"
 #include "compiler/base/failures.h"
 #include "compiler/base/output_files.h"
 
@@ -19,13 +21,15 @@ ExitCode Run(int argc, const char* const* argv) {
     OutputFiles files;
     files.Add("-", line->text);
     files.Commit(diagnostics);
+  } else if (line && line->tiles) {
+    RunTiles(*line->tiles, diagnostics, message);
   } else if (line) {
-    RunRender(line->render, sources, diagnostics, message);
+    RunRender(*line->render, sources, diagnostics, message);
   }
   std::string text;
   if (!diagnostics.all().empty())
-    text = FormatDiagnostics(diagnostics, sources, line && line->render.color);
-  if (line && !line->render.quiet) text += message;
+    text = FormatDiagnostics(diagnostics, sources, line && line->color());
+  if (line && !line->quiet()) text += message;
   if (!text.empty()) (void)WriteAll(STDERR_FILENO, text);
   return diagnostics.exit_code();
 }

@@ -14,7 +14,8 @@
 
 namespace texgraph::cli {
 
-void Usage(Diagnostics& diagnostics, std::string message);
+// `command`: whose --help lists the options.
+void Usage(Diagnostics& diagnostics, std::string message, std::string_view command = "render");
 
 template <class T>
 bool ReadNumber(std::string_view text, T& value) {
@@ -27,9 +28,13 @@ bool ReadPair(std::string_view text, double& first, double& second);
 
 // The index of `seen` in `words`; 0, reported, if it is none of them.
 uint32_t ReadWord(std::string_view option, std::string_view seen,
-                  const std::vector<std::string_view>& words, Diagnostics& diagnostics);
+                  const std::vector<std::string_view>& words, Diagnostics& diagnostics,
+                  std::string_view command = "render");
 
 void ReadSeconds(std::string_view option, std::string_view text, double& value,
                  Diagnostics& diagnostics);
+
+// The extension of a path's last part, in lower case and without its dot.
+std::string ExtensionOf(std::string_view path);
 
 }  // namespace texgraph::cli

@@ -35,8 +35,11 @@ uint32_t Columns() {
 
 }  // namespace
 
-std::string ProgressLine(uint32_t done, uint32_t total, double seconds, uint32_t columns) {
-  std::string text = fmt::format("{} of {} frames", done, total);
+std::string ProgressLine(uint32_t done, uint32_t total, double seconds, uint32_t columns,
+                         ProgressUnit unit) {
+  std::string text = unit == ProgressUnit::kFrames
+                         ? fmt::format("{} of {} frames", done, total)
+                         : fmt::format("{} %", uint64_t{100} * done / total);
   if (done > 0 && done < total) {
     const double left = std::ceil(seconds / done * (total - done));
     text += left < 120 ? fmt::format(", {:.0f} s left", left)
@@ -50,8 +53,8 @@ std::string ProgressLine(uint32_t done, uint32_t total, double seconds, uint32_t
   return fmt::format("[{}{}] {}", std::string(full, '#'), std::string(width - full, '.'), text);
 }
 
-Progress::Progress(uint32_t total, bool wanted)
-    : total_(total), is_shown_(wanted && total > 1 && IsTerminal()), start_(Now()) {
+Progress::Progress(uint32_t total, bool wanted, ProgressUnit unit)
+    : total_(total), unit_(unit), is_shown_(wanted && total > 1 && IsTerminal()), start_(Now()) {
   if (is_shown_) Draw();
 }
 
@@ -59,14 +62,14 @@ Progress::~Progress() {
   if (is_shown_) (void)WriteAll(STDERR_FILENO, "\r\x1b[K");
 }
 
-void Progress::Advance() {
-  if (done_ < total_) ++done_;
+void Progress::Reach(uint32_t done) {
+  done_ = std::clamp(done, done_, total_);
   if (is_shown_ && (done_ == total_ || Now() - drawn_ >= kSecondsBetween)) Draw();
 }
 
 void Progress::Draw() {
   drawn_ = Now();
-  const std::string line = ProgressLine(done_, total_, drawn_ - start_, Columns());
+  const std::string line = ProgressLine(done_, total_, drawn_ - start_, Columns(), unit_);
   (void)WriteAll(STDERR_FILENO, "\r" + line + "\x1b[K");
 }
 

@@ -8,6 +8,7 @@
 #include "cli/texgraph/contact_sheet.h"
 #include "cli/texgraph/load_shader.h"
 #include "cli/texgraph/mesh_options.h"
+#include "cli/texgraph/output_check.h"
 #include "cli/texgraph/progress.h"
 #include "cli/texgraph/sequence.h"
 #include "compiler/base/files.h"
@@ -26,20 +27,6 @@ void AddTextureInputs(Shader& shader) {
       if (!shader.made.contains(file)) shader.inputs.push_back(JoinPath(shader.folder, file));
     }
   }
-}
-
-// A picture never replaces what it was made from.
-bool CheckOutput(const std::string& output, const std::vector<std::string>& inputs,
-                 Diagnostics& diagnostics) {
-  if (output == "-") return true;
-  for (const std::string& input : inputs) {
-    if (AbsolutePath(input) != AbsolutePath(output) && !SameFile(input, output)) continue;
-    diagnostics.Error(
-        DiagnosticKind::kUsage, {},
-        fmt::format("cannot write '{}': it is one of the files that are read", Printable(output)));
-    return false;
-  }
-  return true;
 }
 
 runtime::PixelFormat PixelsFor(const RenderOptions& options) {

@@ -2,16 +2,13 @@
 #include "cli/texgraph/render_options.h"
 
 #include <fmt/format.h>
-#include <stdlib.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <string_view>
 
-#include "cli/texgraph/help.h"
 #include "cli/texgraph/mesh_options.h"
 #include "cli/texgraph/option_values.h"
+#include "cli/texgraph/parse_options.h"
 #include "cli/texgraph/sequence_options.h"
 
 namespace texgraph::cli {
@@ -77,13 +74,6 @@ void ReadWindow(std::string_view text, RenderOptions& options, Diagnostics& diag
   }
 }
 
-bool TakesColor() {
-  const char* terminal = getenv("TERM");
-  const char* no_color = getenv("NO_COLOR");
-  return isatty(STDERR_FILENO) && (no_color == nullptr || *no_color == '\0') &&
-         terminal != nullptr && std::string_view(terminal) != "dumb";
-}
-
 void Declare(CLI::App& app, RenderOptions& options, Raw& raw) {
   app.set_help_flag();
   app.allow_extras();
@@ -124,46 +114,10 @@ void Declare(CLI::App& app, RenderOptions& options, Raw& raw) {
   app.add_option("inputs", raw.inputs);
 }
 
-// CLI11 takes "-1,0,1,1" for options; joined to its name by '=' it is a value.
-std::vector<std::string> Arguments(int argc, const char* const* argv) {
-  std::vector<std::string> arguments;
-  for (int i = 2; i < argc; ++i) {
-    const std::string_view argument = argv[i];
-    static constexpr std::string_view kNumbers[] = {"--uv",     "--time",   "--timeout", "--size",
-                                                    "--frames", "--camera", "--fov",     "--light",
-                                                    "--tile",   "--relief", "--samples"};
-    const bool number = std::ranges::find(kNumbers, argument) != std::end(kNumbers);
-    if (number && i + 1 < argc) {
-      arguments.push_back(fmt::format("{}={}", argument, argv[++i]));
-    } else {
-      arguments.emplace_back(argument);
-    }
-  }
-  return arguments;
-}
-
-// What CLI11 says, in our wording.
-std::string Reworded(const CLI::ParseError& error) {
-  std::string message = error.what();
-  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
-    return message.substr(0, message.find(':')) + " needs a value";
-  }
-  message = message.substr(0, message.find('\n'));
-  if (!message.empty() && message[0] >= 'A' && message[0] <= 'Z')
-    message[0] = static_cast<char>(message[0] + 32);
-  return message;
-}
-
 void CheckRender(const CLI::App& app, const Raw& raw, RenderOptions& options,
                  Diagnostics& diagnostics) {
-  const std::vector<std::string_view> names(std::begin(kLongOptions), std::end(kLongOptions));
-  for (const std::string& extra : app.remaining()) {
-    if (extra == "--") continue;
-    Usage(diagnostics, fmt::format("unknown option '{}'{}", Printable(extra),
-                                   DidYouMean(extra.substr(0, extra.find('=')), names)));
-  }
-  const uint32_t color = ReadWord("--color", raw.color, {"auto", "always", "never"}, diagnostics);
-  options.color = color == 1 || (color == 0 && TakesColor());
+  ReportUnknownOptions(app, kLongOptions, "render", diagnostics);
+  options.color = ReadColor(raw.color, "render", diagnostics);
   options.compile.target =
       ReadWord("--target", raw.target, {"glsl330", "glsl450"}, diagnostics) == 0 ? Target::kGlsl330
                                                                                  : Target::kGlsl450;
@@ -182,52 +136,24 @@ void CheckRender(const CLI::App& app, const Raw& raw, RenderOptions& options,
   if (options.output.empty()) Usage(diagnostics, "no picture named; '-o FILE' does");
 }
 
-std::optional<TexgraphCommandLine> ReadRender(int argc, const char* const* argv,
-                                              Diagnostics& diagnostics) {
-  TexgraphCommandLine line;
-  Raw raw;
-  CLI::App app;
-  Declare(app, line.render, raw);
-  try {
-    const std::vector<std::string> arguments = Arguments(argc, argv);
-    app.parse(std::vector<std::string>(arguments.rbegin(),
-                                       arguments.rend()));  // CLI11 takes them from the back
-  } catch (const CLI::ParseError& error) {
-    Usage(diagnostics, Reworded(error));
-    return std::nullopt;
-  }
-  if (raw.help) {
-    line.text = kRenderHelp;
-    return line;
-  }
-  CheckRender(app, raw, line.render, diagnostics);
-  if (diagnostics.HasErrors()) return std::nullopt;
-  return line;
-}
-
 }  // namespace
 
-std::optional<TexgraphCommandLine> ReadTexgraphCommandLine(int argc, const char* const* argv,
-                                                           Diagnostics& diagnostics) {
-  const std::string_view command = argc > 1 ? argv[1] : "";
-  if (command == "render") return ReadRender(argc, argv, diagnostics);
-  TexgraphCommandLine line;
-  if (command == "--help" || command == "-h" || command == "help") {
-    line.text = kTexgraphHelp;
-    return line;
-  }
-  if (command == "--version") {
-    line.text = "texgraph " TEXGRAPH_VERSION "\n";
-    return line;
-  }
-  const std::vector<std::string_view> names = {"render", "--help", "--version"};
-  diagnostics
-      .Error(DiagnosticKind::kUsage, {},
-             argc > 1 ? fmt::format("unknown command '{}'{}", Printable(command),
-                                    DidYouMean(command, names))
-                      : "no command given")
-      .AddNote({}, "'texgraph --help' lists the commands");
-  return std::nullopt;
+std::optional<RenderOptions> ReadRenderOptions(int argc, const char* const* argv, bool& wants_help,
+                                               Diagnostics& diagnostics) {
+  // What may begin with a minus sign.
+  static constexpr std::string_view kNumbers[] = {"--uv",     "--time",   "--timeout", "--size",
+                                                  "--frames", "--camera", "--fov",     "--light",
+                                                  "--tile",   "--relief", "--samples"};
+  RenderOptions options;
+  Raw raw;
+  CLI::App app;
+  Declare(app, options, raw);
+  if (!ParseOptions(argc, argv, kNumbers, "render", app, diagnostics)) return std::nullopt;
+  wants_help = raw.help;
+  if (wants_help) return options;
+  CheckRender(app, raw, options, diagnostics);
+  if (diagnostics.HasErrors()) return std::nullopt;
+  return options;
 }
 
 }  // namespace texgraph::cli

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The command line of texgraph as a value, checked as far as it can be without reading a file.
+// The command line of texgraph render as a value, checked as far as it can be without reading a
+// file.
 #pragma once
 
 #include <array>
@@ -55,13 +56,9 @@ struct RenderOptions {
   bool quiet = false;
 };
 
-struct TexgraphCommandLine {
-  RenderOptions render;
-  std::string text;  // to print instead: the help or the version
-};
-
-// Nothing, with kUsage (or kSizeLimit) reported, if the command line is wrong.
-std::optional<TexgraphCommandLine> ReadTexgraphCommandLine(int argc, const char* const* argv,
-                                                           Diagnostics& diagnostics);
+// From the third argument on. Nothing, with kUsage (or kSizeLimit) reported, if the command line is
+// wrong; with `wants_help` nothing else was looked at.
+std::optional<RenderOptions> ReadRenderOptions(int argc, const char* const* argv, bool& wants_help,
+                                               Diagnostics& diagnostics);
 
 }  // namespace texgraph::cli

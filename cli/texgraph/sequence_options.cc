@@ -2,7 +2,6 @@
 #include "cli/texgraph/sequence_options.h"
 
 #include "cli/texgraph/option_values.h"
-#include "compiler/base/files.h"
 
 namespace texgraph::cli {
 namespace {
@@ -10,20 +9,8 @@ namespace {
 // What a sheet of a sweep has if --frames is not given.
 constexpr uint32_t kSheetCells = 9;
 
-// The extension of a path's last part, in lower case and without its dot.
-std::string Extension(std::string_view path) {
-  const std::string_view name = FileNameOf(path);
-  const size_t dot = name.rfind('.');
-  if (dot == std::string_view::npos || dot == 0) return "";
-  std::string extension(name.substr(dot + 1));
-  for (char& c : extension) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
-  }
-  return extension;
-}
-
 void ReadFormat(const SequenceTexts& texts, RenderOptions& options, Diagnostics& diagnostics) {
-  const std::string extension = Extension(options.output);
+  const std::string extension = ExtensionOf(options.output);
   if (!texts.format.empty()) {
     const uint32_t word = ReadWord("--format", texts.format, {"png", "exr"}, diagnostics);
     options.format = word == 0 ? PictureFormat::kPng : PictureFormat::kExr;

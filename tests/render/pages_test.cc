@@ -60,7 +60,11 @@ class Pages : public testing::Test {
     if (std::string* frames = value("--frames")) *frames = "3";
     if (std::string* size = value("--size")) *size = "24";
     if (command[0] == "move_sprites") command[3] = "3";
-    if (command[0] == "texgraph" && !value("--size")) {
+    if (command[0] != "texgraph") return;
+    if (command[1] == "tiles") {
+      if (std::string* size = value("--tile-size")) *size = "16";
+      command.insert(command.begin() + 2, {"--candidates", "8"});
+    } else if (!value("--size")) {
       command.insert(command.end(), {"--size", "24"});
     }
   }

@@ -16,6 +16,12 @@ TEST(ProgressTest, Lines) {
             "[" + dots + "] 1 of 1000 frames, 17 min left");  // 999 s
 }
 
+TEST(ProgressTest, LinesOfShares) {
+  EXPECT_EQ(ProgressLine(250, 1000, 2, 80, ProgressUnit::kPercent),
+            "[" + std::string(7, '#') + std::string(23, '.') + "] 25 %, 6 s left");
+  EXPECT_EQ(ProgressLine(999, 1000, 0, 20, ProgressUnit::kPercent), "99 %, 0 s left");
+}
+
 TEST(ProgressTest, NeverReachesTheLastColumn) {
   for (uint32_t columns = 0; columns < 100; ++columns) {
     const std::string line = ProgressLine(1234, 9999, 5000, columns);
