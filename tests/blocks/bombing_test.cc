@@ -244,6 +244,46 @@ TEST(BombTest, TintsEachCopy) {
   EXPECT_GT(covered, 100);
 }
 
+// The copy's choice says which of two functions paints it.
+TEST(BombTest, ChoosesAmongFunctions) {
+  const std::string text = R"({"texgraph": 1,
+    "functions": {
+      "across": {"inputs": {"uv": "vec2"}, "nodes": {
+        "p": {"block": "components", "in": {"vector": "uv"}},
+        "c": {"block": "combine4", "in": {"x": "p.x", "w": 1}}}, "outputs": {"color": "c"}},
+      "up": {"inputs": {"uv": "vec2"}, "nodes": {
+        "p": {"block": "components", "in": {"vector": "uv"}},
+        "c": {"block": "combine4", "in": {"y": "p.y", "z": 1, "w": 1}}},
+        "outputs": {"color": "c"}},
+      "either": {"inputs": {"uv": "vec2", "tile": "Tile"}, "nodes": {
+        "luck": {"block": "tile_random", "in": {"tile": "tile"}},
+        "is_first": {"block": "compare", "in": {"a": "luck", "b": 0.5, "relation": "less"}},
+        "a": {"block": "across", "in": {"uv": "uv"}}, "b": {"block": "up", "in": {"uv": "uv"}},
+        "c": {"block": "select", "in": {"condition": "is_first", "if_true": "a", "if_false": "b"}}},
+        "outputs": {"color": "c"}}},
+    "nodes": {"bomb": {"block": "bomb", "in": {"image": "either"}},
+      "luck": {"block": "tile_random", "in": {"tile": "bomb.tile"}},
+      "parts": {"block": "tile_parts", "in": {"tile": "bomb.tile"}},
+      "q": {"block": "components", "in": {"vector": "parts.local"}},
+      "e": {"block": "combine3", "in": {"x": "luck", "y": "q.x", "z": "q.y"}}},
+    "outputs": {"color": "bomb.color", "emission": "e"}})";
+  const std::vector<Point> points = ScatteredPoints(300, -1.5, 1.5);
+  auto outputs = RunGraph(text, points, {1e-5, 1e-5}, 1e-3);
+  ASSERT_EQ(outputs.size(), 2u);
+  int first = 0, second = 0;
+  for (size_t i = 0; i < points.size(); ++i) {
+    const Values &color = outputs["color"], &seen = outputs["emission"];
+    if (color.Float(i, 3) < 1) continue;
+    const bool is_first = seen.Float(i, 0) < 0.5f;
+    (is_first ? first : second) += 1;
+    ASSERT_NEAR(color.Float(i, 0), is_first ? seen.Float(i, 1) : 0, 1e-4) << i;
+    ASSERT_NEAR(color.Float(i, 1), is_first ? 0 : seen.Float(i, 2), 1e-4) << i;
+    ASSERT_NEAR(color.Float(i, 2), is_first ? 0 : 1, 1e-4) << i;
+  }
+  EXPECT_GT(first, 60);
+  EXPECT_GT(second, 60);
+}
+
 TEST(BombTest, OrdersByKeyOrNearnessOrRows) {
   const std::string sizes = R"(, "size": [0.6, 1.6], "copies": 2, "meet": )";
   const Plane plane{.size_min = 0.6, .size_max = 1.6, .copies = 2};
