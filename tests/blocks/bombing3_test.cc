@@ -282,7 +282,8 @@ TEST(Bomb3Test, AsksTheKeyOfEachCopy) {
       "at": {"block": "components", "in": {"vector": "uv"}},
       "place": {"block": "combine3", "in": {"x": "at.x", "y": "at.y", "z": 0}},
       "bomb": {"block": "bomb3",
-      "in": {"image": "where", "uv": "place", "key": "height", "meet": "key", "size": 1.2, "tumble": true}}},
+      "in": {"image": "where", "uv": "place", "key": "height", "meet": "key", "size": 1.2,
+             "tumble": true}}},
     "outputs": {"color": "bomb.color"}})";
   const std::vector<Point> points = ScatteredPoints(250, -1.5, 1.5);
   auto outputs = RunGraph(text, points, {1e-5, 1e-5}, 2e-3);
