@@ -49,7 +49,7 @@ struct ManifestParameter {
 };
 
 // What the texels of a map are: docs/manifest.md.
-enum class MapContents : uint8_t { kPatterns, kLists, kNumbers, kSprites };
+enum class MapContents : uint8_t { kPatterns, kLists, kTiles, kNumbers, kSprites };
 
 struct ManifestMap {
   MapContents holds = MapContents::kNumbers;

@@ -11,10 +11,16 @@ set(TEXGRAPH_STDLIB_BLOCKS
   bombing/bomb_rivals.glsl
   bombing/copy_bits.glsl
   bombing/copy_bits3.glsl
+  by_example/corner_tile_place.glsl
+  by_example/corner_tiles.glsl
   by_example/hex_frame.glsl
   by_example/hex_shares.glsl
   by_example/hex_tiling.glsl
   by_example/hex_tiling_normal.glsl
+  by_example/pack_place.glsl
+  by_example/tile_index.glsl
+  by_example/tile_map.glsl
+  by_example/wang_tiles.glsl
   cellular/blend_tiles.glsl
   cellular/smooth_voronoi.glsl
   cellular/smooth_voronoi_mean.glsl

@@ -72,6 +72,9 @@ struct Port {
   // "@grid_of name": without a value it is the columns and rows of the patterns that the texture at
   // that input packs, and it has no other value.
   std::optional<uint32_t> grid_of;
+  // "@colors_of name": without a value it is the colours of the tile set at that input, of corners
+  // for an int, of edges for an ivec2, and it has no other value.
+  std::optional<uint32_t> colors_of;
   // "@transitions name": for m families, one more than the greatest number of the array at that
   // input, m^4 patterns, one for each way in which the four corners of a tile can be of families.
   // None is below 0 where two corners differ.

@@ -30,7 +30,8 @@ struct ParameterDoc {
 
 constexpr std::string_view kInlineTags[] = {
     "@default",     "@length",  "@range",       "@unit",  "@ordered", "@not_below",  "@computed",
-    "@multiple_of", "@grid_of", "@transitions", "@below", "@one_of",  "@as_long_as", "@asked_at"};
+    "@multiple_of", "@grid_of", "@transitions", "@below", "@one_of",  "@as_long_as", "@asked_at",
+    "@colors_of"};
 constexpr std::string_view kTags[] = {"@param", "@return", "@source"};
 
 void AppendLine(std::string& text, std::string_view line, char separator) {
@@ -247,7 +248,7 @@ class DocChecker {
     gen_type_ = overload.gen_type;
     // The default is checked against the range.
     for (std::string_view tag : {"@unit", "@range", "@length", "@default", "@ordered", "@not_below",
-                                 "@multiple_of", "@grid_of", "@transitions", "@below",
+                                 "@multiple_of", "@grid_of", "@colors_of", "@transitions", "@below",
                                  "@as_long_as", "@asked_at", "@one_of", "@computed"}) {
       for (const Setting& setting : doc->settings) {
         if (setting.tag.text == tag) SetSetting(port, setting, is_input);
@@ -425,7 +426,7 @@ class DocChecker {
   // Set when all inputs are known.
   static bool NamesInputs(std::string_view tag) {
     return tag == "@ordered" || tag == "@not_below" || tag == "@multiple_of" || tag == "@grid_of" ||
-           tag == "@transitions" || tag == "@below" || tag == "@as_long_as" || tag == "@asked_at";
+           tag == "@colors_of" || tag == "@transitions" || tag == "@below" || tag == "@as_long_as" || tag == "@asked_at";
   }
 
   // Of a field, the type of its results.
@@ -444,6 +445,7 @@ class DocChecker {
       if (setting.tag.text == "@not_below") SetNotBelow(overload, port, setting);
       if (setting.tag.text == "@multiple_of") SetSizeOf(overload, port, setting, port.multiple_of);
       if (setting.tag.text == "@grid_of") SetSizeOf(overload, port, setting, port.grid_of);
+      if (setting.tag.text == "@colors_of") SetColorsOf(overload, port, setting);
       if (setting.tag.text == "@transitions") SetTransitions(overload, port, setting);
       if (setting.tag.text == "@below") SetBelow(overload, port, setting);
       if (setting.tag.text == "@as_long_as") SetAsLongAs(overload, port, setting);
@@ -487,6 +489,18 @@ class DocChecker {
                        "' is for a 'const ivec2', and names an input that is a texture");
     }
     size_of = static_cast<uint32_t>(texture - overload.inputs.data());
+  }
+
+  void SetColorsOf(const Overload& overload, Port& port, const Setting& setting) {
+    const Port* texture = FindInput(overload, setting);
+    if (!texture) return;
+    const bool is_number = port.type == ir::kInt || port.type == ir::kIvec2;
+    if (port.kind != PortKind::kTemplate || !is_number || texture->kind != PortKind::kTexture) {
+      return Error(setting.tag.range,
+                   "'@colors_of' is for a 'const int' or 'const ivec2', and names an input that is "
+                   "a texture");
+    }
+    port.colors_of = static_cast<uint32_t>(texture - overload.inputs.data());
   }
 
   bool IsListOfInts(const Port& port) const {

@@ -201,6 +201,10 @@ std::string_view WhatItHas(const Texture& texture) {
       return "\"sprites\"";
     case TextureKind::kMeans:
       return "\"means\"";
+    case TextureKind::kTiles:
+      return "\"tiles\"";
+    case TextureKind::kTiling:
+      return "a \"tiling\"";
   }
   return {};
 }

@@ -30,7 +30,7 @@ const Input* FindInput(const Node& node, std::string_view port) {
 
 bool MustBeConnected(const Port& port) {
   return !port.default_value.valid() && port.default_input.empty() && port.default_block.empty() &&
-         !port.grid_of;
+         !port.grid_of && !port.colors_of;
 }
 
 bool HasAllNames(const Overload& overload, const Node& node) {
@@ -83,13 +83,15 @@ CheckedNode SubgraphChecker::BindNode(uint32_t index) {
     Target target{port, {"port", port.name, "node", node.name, port.range}};
     const Input* input = FindInput(node, port.name);
     std::optional<BoundPort> bound =
-        input          ? Bind(target, input->argument, arguments[input - node.inputs.data()])
-        : port.grid_of ? BindGrid(target, *overload, node)
-                       : BindDefault(target, node.range);
+        input            ? Bind(target, input->argument, arguments[input - node.inputs.data()])
+        : port.grid_of   ? BindGrid(target, *overload, node)
+        : port.colors_of ? BindColors(target, *overload, node)
+                         : BindDefault(target, node.range);
     if (bound) checked.inputs.push_back(std::move(*bound));
   }
   CheckPortOrder(checked, *overload);
   CheckGrids(checked, *overload);
+  CheckColors(checked, *overload);
   // With a port that is wrong another overload may have been meant.
   state.certain = state.candidates.size() == 1 || checked.inputs.size() == overload->inputs.size();
   return checked;

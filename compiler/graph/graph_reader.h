@@ -28,6 +28,8 @@ enum class TextureKey : uint8_t {
   kLists,
   kSprites,
   kMeans,
+  kTiles,
+  kTiling,
   kMask,
   kKey,
   kColorSpace,
@@ -47,8 +49,15 @@ enum class TextureKey : uint8_t {
   kBinding,
   kCells,
   kDithered,
+  kCornerColors,
+  kEdgeColors,
+  kTileSize,
+  kLike,
+  kSeed,
+  kCandidates,
+  kWeight,
 };
-inline constexpr size_t kTextureKeyCount = 26;
+inline constexpr size_t kTextureKeyCount = 35;
 
 inline constexpr size_t kMaxNodes = 1'000'000;  // of a graph, those of its functions included
 
@@ -136,6 +145,14 @@ class GraphReader {
                    Texture& texture);
   bool ReadSprite(const DocumentNode& node, Owner owner, const SpriteMap& map, Sprite& sprite);
   void CountLayers(std::optional<uint32_t> limit, SourceRange cells, SpriteMap& map);
+  // read_tiles.cc
+  void ReadTiles(const TextureKeys& keys, Owner owner, Texture& texture);
+  void ReadTiling(const DocumentNode& node, const TextureKeys& keys, Owner owner,
+                  Texture& texture);
+  void ReadTileColors(const TextureKeys& keys, Owner owner, Texture& texture);
+  void ReadWhole(const DocumentNode* node, Owner owner, uint32_t least, uint32_t greatest,
+                 uint32_t& out);
+  void ResolveTiles(uint32_t index);
   // resolve_textures.cc: what textures say of each other.
   void ResolveTextures();
   std::optional<uint32_t> FindTexture(const DocumentNode& node, Owner owner,

@@ -13,7 +13,13 @@ namespace texgraph::graph {
 namespace {
 
 // Whether the texture's grid is that of its texels; a sheet in layers has none any more.
-bool HasGrid(const Texture& texture) { return texture.pack == TexturePack::kAtlas; }
+bool HasGrid(const Texture& texture) {
+  return texture.pack == TexturePack::kAtlas || texture.kind == TextureKind::kTiles;
+}
+
+std::array<uint32_t, 2> GridOf(const Texture& texture) {
+  return texture.kind == TextureKind::kTiles ? texture.TilesInPack() : texture.grid;
+}
 
 }  // namespace
 
@@ -31,7 +37,7 @@ std::optional<BoundPort> SubgraphChecker::BindGrid(const Target& target,
   }
   const Texture& texture = check_.graph.textures[resolved.symbol.index];
   if (!HasGrid(texture)) return BindDefault(target, node.range);
-  const ir::ConstId grid = check_.module.Intern(port.type, texture.grid);
+  const ir::ConstId grid = check_.module.Intern(port.type, GridOf(texture));
   return BoundPort{ConstantValue{grid}, port.type, port.type, {}, node.range};
 }
 
@@ -45,16 +51,17 @@ void SubgraphChecker::CheckGrids(const CheckedNode& checked, const blocks::Overl
     if (!grid || !grid->value || !ref) continue;
     const Texture& texture = check_.graph.textures[ref->texture];
     const std::span<const uint32_t> given = check_.module.Words(grid->value);
-    if (!HasGrid(texture) || std::ranges::equal(given, texture.grid)) continue;
+    if (!HasGrid(texture) || std::ranges::equal(given, GridOf(texture))) continue;
     const Place place{"port", port.name, "node", checked.node->name, port.range};
     check_.diagnostics
         .Error(DiagnosticKind::kPatternGrid, checked.inputs[i].range,
                fmt::format("{} is {} x {}, but the patterns of '{}' lie in {} x {}; without a "
                            "value it is as the texture says",
                            place.Text(), static_cast<int32_t>(given[0]),
-                           static_cast<int32_t>(given[1]), texture.name, texture.grid[0],
-                           texture.grid[1]))
-        .AddNote(texture.grid_range, "the texture's grid is here");
+                           static_cast<int32_t>(given[1]), texture.name, GridOf(texture)[0],
+                           GridOf(texture)[1]))
+        .AddNote(texture.kind == TextureKind::kTiles ? texture.range : texture.grid_range,
+                 "the texture says so here");
   }
 }
 

@@ -15,32 +15,37 @@ constexpr int kCoarsestLevel = 30;  // of a mip chain; no texture has more
 
 using Key = TextureKey;
 
-constexpr size_t kKindCount = 7;  // the first keys are those of the kinds, in TextureKind's order
+constexpr size_t kKindCount = 9;  // the first keys are those of the kinds, in TextureKind's order
 
 constexpr std::array<std::string_view, kTextureKeyCount> kTextureKeys = {
-    "file",   "layers",  "sheet",       "map",   "lists",   "sprites", "means",
-    "mask",   "key",     "color_space", "alpha", "filter",  "wrap",    "wrap_u",
-    "wrap_v", "mipmaps", "max_level",   "grid",  "pack",    "edges",   "weights",
-    "legend", "of",      "binding",     "cells", "dithered"};
+    "file",    "layers",    "sheet",         "map",         "lists",       "sprites", "means",
+    "tiles",   "tiling",    "mask",          "key",         "color_space", "alpha",   "filter",
+    "wrap",    "wrap_u",    "wrap_v",        "mipmaps",     "max_level",   "grid",    "pack",
+    "edges",   "weights",   "legend",        "of",          "binding",     "cells",   "dithered",
+    "corner_colors", "edge_colors", "tile_size", "like", "seed", "candidates", "weight"};
 
-constexpr uint32_t Bit(TextureKey key) { return 1u << static_cast<uint32_t>(key); }
+constexpr uint64_t Bit(TextureKey key) { return uint64_t{1} << static_cast<uint32_t>(key); }
 
-constexpr uint32_t kSamplingKeys = Bit(Key::kMask) | Bit(Key::kKey) | Bit(Key::kColorSpace) |
+constexpr uint64_t kSamplingKeys = Bit(Key::kMask) | Bit(Key::kKey) | Bit(Key::kColorSpace) |
                                    Bit(Key::kAlpha) | Bit(Key::kFilter) | Bit(Key::kWrap) |
                                    Bit(Key::kWrapU) | Bit(Key::kWrapV) | Bit(Key::kMipmaps) |
                                    Bit(Key::kMaxLevel);
-constexpr uint32_t kPatternKeys =
+constexpr uint64_t kPatternKeys =
     kSamplingKeys | Bit(Key::kGrid) | Bit(Key::kPack) | Bit(Key::kEdges) | Bit(Key::kWeights);
 
 // What a texture of each kind may have.
-constexpr std::array<uint32_t, kKindCount> kKeysOfKind = {
+constexpr std::array<uint64_t, kKindCount> kKeysOfKind = {
     Bit(Key::kFile) | kSamplingKeys,
     Bit(Key::kLayers) | kPatternKeys,
     Bit(Key::kSheet) | kPatternKeys,
     Bit(Key::kMap) | Bit(Key::kLegend) | Bit(Key::kOf) | Bit(Key::kBinding),
     Bit(Key::kLists) | Bit(Key::kOf) | Bit(Key::kBinding),
     Bit(Key::kSprites) | Bit(Key::kCells) | Bit(Key::kLayers) | Bit(Key::kOf),
-    Bit(Key::kMeans) | Bit(Key::kDithered)};
+    Bit(Key::kMeans) | Bit(Key::kDithered),
+    Bit(Key::kTiles) | Bit(Key::kColorSpace) | Bit(Key::kAlpha) | Bit(Key::kFilter) |
+        Bit(Key::kWrap) | Bit(Key::kCornerColors) | Bit(Key::kEdgeColors) | Bit(Key::kTileSize) |
+        Bit(Key::kLike) | Bit(Key::kSeed) | Bit(Key::kCandidates) | Bit(Key::kWeight),
+    Bit(Key::kTiling) | Bit(Key::kCells) | Bit(Key::kSeed)};
 
 const DocumentNode* At(const std::array<const DocumentNode*, kTextureKeyCount>& keys,
                        TextureKey key) {
@@ -92,6 +97,12 @@ void GraphReader::ReadTexture(const DocumentNode& node) {
           break;
         case TextureKind::kMeans:
           ReadBool(At(keys, Key::kDithered), owner, texture.dithered);
+          break;
+        case TextureKind::kTiles:
+          ReadTiles(keys, owner, texture);
+          break;
+        case TextureKind::kTiling:
+          ReadTiling(node, keys, owner, texture);
           break;
       }
       ReadSampling(keys, owner, texture);
@@ -171,6 +182,7 @@ void GraphReader::ReadSampling(const TextureKeys& keys, Owner owner, Texture& te
   ReadWord<TextureFilter>(
       At(keys, Key::kFilter), owner,
       {{"linear", TextureFilter::kLinear}, {"nearest", TextureFilter::kNearest}}, texture.filter);
+  if (texture.kind == TextureKind::kTiles) return;  // its wrap is that of the sample
   for (TextureKey key : {Key::kWrap, Key::kWrapU, Key::kWrapV}) {
     TextureWrap& out = key == Key::kWrapV ? texture.wrap_v : texture.wrap_u;
     if (!At(keys, key)) continue;

@@ -13,9 +13,6 @@
 #include "compiler/graph/graph_reader.h"
 
 namespace texgraph::graph {
-namespace {
-
-// "a map", for messages.
 std::string_view KindText(TextureKind kind) {
   switch (kind) {
     case TextureKind::kFile:
@@ -32,9 +29,15 @@ std::string_view KindText(TextureKind kind) {
       return "sprites";
     case TextureKind::kMeans:
       return "means";
+    case TextureKind::kTiles:
+      return "a set of tiles";
+    case TextureKind::kTiling:
+      return "a tiling";
   }
   return {};
 }
+
+namespace {
 
 bool IsAllowed(TextureKind from, TextureKind to) {
   switch (to) {
@@ -46,8 +49,11 @@ bool IsAllowed(TextureKind from, TextureKind to) {
       return from == TextureKind::kMap;
     case TextureKind::kMap:
       return from == TextureKind::kMeans;
+    case TextureKind::kTiles:
+      return from == TextureKind::kMap;
     case TextureKind::kFile:
     case TextureKind::kMeans:
+    case TextureKind::kTiling:
       break;
   }
   return false;
@@ -56,7 +62,7 @@ bool IsAllowed(TextureKind from, TextureKind to) {
 std::string_view AllowedText(TextureKind from) {
   switch (from) {
     case TextureKind::kMap:
-      return "layers, a sheet, lists or sprites";
+      return "layers, a sheet, lists, sprites or tiles";
     case TextureKind::kMeans:
       return "a map";
     default:
@@ -72,6 +78,10 @@ struct Counted {
 
 Counted CountedBy(const Graph& graph, const Texture& of) {
   if (of.kind == TextureKind::kLists) return {"lists", of.map.height};
+  if (of.kind == TextureKind::kTiles) {
+    const auto [columns, rows] = of.TilesInPack();
+    return {"tiles", columns * rows};
+  }
   if (of.kind != TextureKind::kSprites) return {"patterns", of.PatternCount()};
   if (!of.of) return {"patterns of sprites", 0};
   return {"patterns of sprites", graph.textures[*of.of].PatternCount()};
@@ -107,7 +117,10 @@ void GraphReader::ResolveTextures() {
     texture_names_.Add(graph_.textures[i].name, static_cast<uint32_t>(i));
   }
   const auto count = static_cast<uint32_t>(graph_.textures.size());
-  for (uint32_t i = 0; i < count; ++i) ResolveOf(i);
+  for (uint32_t i = 0; i < count; ++i) {
+    ResolveOf(i);
+    ResolveTiles(i);
+  }
   for (uint32_t i = 0; i < count; ++i) {
     ResolveEdges(i);
     ResolveWeights(i);
@@ -145,7 +158,7 @@ bool GraphReader::KnownKind(uint32_t index) const {
 void GraphReader::ResolveOf(uint32_t index) {
   Texture& texture = graph_.textures[index];
   const bool is_means = texture.kind == TextureKind::kMeans;
-  if (!is_means && !texture.IsMap()) return;
+  if ((!is_means && !texture.IsMap()) || texture.kind == TextureKind::kTiling) return;
   const DocumentNode* node =
       texture_keys_[index][static_cast<size_t>(is_means ? TextureKey::kMeans : TextureKey::kOf)];
   if (!node) return;
@@ -260,6 +273,7 @@ void GraphReader::CheckNumbers(uint32_t index) {
   const Texture& texture = graph_.textures[index];
   const std::optional<Reach> reach = ReachOf(graph_, texture);
   if (!reach || !texture.IsMap() || !texture.files.empty()) return;
+  if (texture.kind == TextureKind::kTiling) return;
   const TextureKeys& keys = texture_keys_[index];
   const auto check = [&](const DocumentNode& number) {
     if (number.kind != DocumentKind::kNumber || number.integer < reach->count) return;

@@ -161,6 +161,10 @@ class SubgraphChecker {
   std::optional<BoundPort> BindGrid(const Target& target, const blocks::Overload& overload,
                                     const Node& node);
   void CheckGrids(const CheckedNode& checked, const blocks::Overload& overload);
+  // tile_colors.cc
+  std::optional<BoundPort> BindColors(const Target& target, const blocks::Overload& overload,
+                                      const Node& node);
+  void CheckColors(const CheckedNode& checked, const blocks::Overload& overload);
 
   // transition_sets.cc: patterns for all corners that differ.
   void CheckTransitions(const CheckedNode& checked, const blocks::Overload& overload,

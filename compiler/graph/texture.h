@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The section "textures" of a graph: pictures, patterns that are packed together, and maps of whole
-// numbers. What a texture says of others ("of", "edges", "weights", "means") is resolved and
+// The section "textures" of a graph: pictures, patterns that are packed together, sets of tiles made
+// of a sample, and maps of whole numbers. What a texture says of others ("of", "edges", "weights", "means") is resolved and
 // checked; what stands in files is not looked at, except that a map's picture is decoded later
 // (compiler/prepare).
 #pragma once
@@ -42,10 +42,35 @@ struct ColorKey {
 };
 
 // By the key that says what it is made of.
-enum class TextureKind : uint8_t { kFile, kLayers, kSheet, kMap, kLists, kSprites, kMeans };
+enum class TextureKind : uint8_t {
+  kFile,
+  kLayers,
+  kSheet,
+  kMap,
+  kLists,
+  kSprites,
+  kMeans,
+  kTiles,
+  kTiling,
+};
+
+std::string_view KindText(TextureKind kind);  // "a map"
 
 // "pack": how the patterns of layers or a sheet lie in one texture.
 enum class TexturePack : uint8_t { kArray, kAtlas, kVolume };
+
+// What tiles are made of a sample: textures::TileSetOptions.
+struct TileSetting {
+  bool has_edge_colors = false;  // "edge_colors", else "corner_colors"
+  // Of corners, twice the same; or of edges that lie and of those that stand.
+  std::array<uint32_t, 2> colors = {2, 2};
+  uint32_t size = 256;  // texels, kMinTileSize to kMaxTileSize
+  bool wraps = false;   // "wrap": whether the sample repeats
+  uint32_t seed = 0;
+  uint32_t candidates = 256;  // kMinTileCandidates to kMaxTileCandidates
+  double weight = 1;          // of this map where seams are searched, 0 to kMaxWeight
+  bool operator==(const TileSetting&) const = default;
+};
 
 struct LegendColor {  // "#3a7d2c", in the picture's own numbers
   std::array<uint8_t, 3> rgb{};
@@ -78,6 +103,11 @@ inline constexpr uint64_t kMaxSpriteTexels = uint64_t{1} << 22;  // of 16 bytes
 inline constexpr uint32_t kMaxSpriteLayers = 64;
 inline constexpr uint32_t kMaxGridSide = 1024;
 inline constexpr double kMaxWeight = 1e9;
+inline constexpr uint32_t kMinTileSize = 4;
+inline constexpr uint32_t kMaxTileSize = 4096;
+inline constexpr uint32_t kMaxTileColors = 4;
+inline constexpr uint32_t kMinTileCandidates = 8;
+inline constexpr uint32_t kMaxTileCandidates = 1024;
 inline constexpr int32_t kMaxMapNumber = 1 << 24;  // floats hold whole numbers up to here
 
 struct Texture {
@@ -113,10 +143,15 @@ struct Texture {
   // Of each pattern in the coarsest mip levels, 0 to kMaxWeight, not all 0; none: as they are.
   std::vector<double> weights;
 
-  // What a map's, the lists' or the sprites' numbers count ("of"), or the map that means are of
-  // ("means"), as an index of the graph's textures.
+  // Of kTiles the setting; those that are cut like others ("like") have theirs, but for `weight`.
+  // Of kTiling the seed.
+  TileSetting tiles;
+
+  // What a map's, the lists' or the sprites' numbers count ("of"), the map that means are of
+  // ("means"), the tiles of a tiling, or the tiles that these are cut like ("like"), as an index of
+  // the graph's textures.
   std::optional<uint32_t> of;
-  NumberMap map;  // kMap, kLists
+  NumberMap map;  // kMap, kLists, kTiling
   std::vector<LegendColor> legend;
   SourceRange legend_range;
   bool is_constant = false;  // "binding": "constant"
@@ -126,12 +161,18 @@ struct Texture {
 
   bool IsMap() const {
     return kind == TextureKind::kMap || kind == TextureKind::kLists ||
-           kind == TextureKind::kSprites;
+           kind == TextureKind::kSprites || kind == TextureKind::kTiling;
   }
   bool HasPatterns() const { return kind == TextureKind::kLayers || kind == TextureKind::kSheet; }
   // Of layers and sheets.
   uint32_t PatternCount() const {
     return kind == TextureKind::kSheet ? grid[0] * grid[1] : static_cast<uint32_t>(files.size());
+  }
+  // Columns and rows of the pack of a set of tiles.
+  std::array<uint32_t, 2> TilesInPack() const {
+    const auto [first, second] = tiles.colors;
+    if (tiles.has_edge_colors) return {second * second, first * first};
+    return {first * first, first * first};
   }
   // Its texels are made by texgraph, all levels, and written as one file: no engine has to know
   // how.

@@ -6,9 +6,11 @@
 #include <optional>
 
 #include "compiler/base/files.h"
+#include "compiler/manifest/graph_textures.h"
 #include "compiler/manifest/pictures.h"
 #include "compiler/textures/maps.h"
 #include "compiler/textures/sheets.h"
+#include "compiler/textures/tile_map.h"
 
 namespace texgraph::manifest {
 namespace {
@@ -63,6 +65,10 @@ void CheckPictures(const graph::Texture& texture, const std::string& folder, con
       textures::CheckSheet(*info, texture.grid[0], texture.grid[1], texture.name,
                            texture.grid_range, diagnostics);
     }
+    if (texture.kind == graph::TextureKind::kTiles) {
+      textures::CheckTileSet(TileOptionsOf(texture), info->width, info->height, texture.name,
+                             texture.file_ranges[i], diagnostics);
+    }
     if (!first) first = info;
     if (info->width == first->width && info->height == first->height) continue;
     diagnostics.Error(
@@ -79,7 +85,12 @@ void CheckTextures(graph::Graph& graph, const std::string& folder,
                    const std::vector<std::string>& root_folders, Diagnostics& diagnostics) {
   const Roots roots(root_folders, diagnostics);
   for (graph::Texture& texture : graph.textures) {
-    if (texture.kind != graph::TextureKind::kMap) {
+    if (texture.kind == graph::TextureKind::kTiling) {
+      if (!texture.of) continue;  // reported
+      texture.map = textures::MakeTileMap(TileLayoutOf(graph.textures[*texture.of]),
+                                          texture.map.width, texture.map.height,
+                                          texture.tiles.seed);
+    } else if (texture.kind != graph::TextureKind::kMap) {
       CheckPictures(texture, folder, roots, diagnostics);
     } else if (!texture.files.empty()) {
       DecodeMap(graph, texture, folder, roots, diagnostics);

@@ -12,6 +12,7 @@
 #include "compiler/textures/means.h"
 #include "compiler/textures/sheets.h"
 #include "compiler/textures/sprites.h"
+#include "compiler/textures/tile_levels.h"
 
 namespace texgraph::manifest {
 namespace {
@@ -24,6 +25,7 @@ using graph::TextureKind;
 using textures::TextureData;
 
 using Pictures = std::shared_ptr<const std::vector<textures::Image>>;
+using Tiles = std::shared_ptr<const textures::TileSet>;
 
 class Maker {
  public:
@@ -37,7 +39,8 @@ class Maker {
     const graph::Texture& texture = graph_.textures[index];
     std::optional<uint32_t> pictures = index;
     if (texture.kind == TextureKind::kMeans) pictures = graph::PatternsOf(graph_, index);
-    if (texture.IsMap() || !pictures) return;
+    if (texture.kind == TextureKind::kTiles) ++tile_readers_[SetOf(index)].count;
+    if (texture.IsMap() || texture.kind == TextureKind::kTiles || !pictures) return;
     ++readers_[graph::FirstEqualTexture(graph_, *pictures)].count;
   }
 
@@ -50,7 +53,10 @@ class Maker {
         return MakePictures(texture, index);
       case TextureKind::kMap:
       case TextureKind::kLists:
+      case TextureKind::kTiling:
         return textures::MapTexture(texture.map);
+      case TextureKind::kTiles:
+        return MakeTiles(texture, index);
       case TextureKind::kSprites:
         return MakeSprites(texture);
       case TextureKind::kMeans:
@@ -113,6 +119,50 @@ class Maker {
                                     texture.name, texture.range, diagnostics_);
   }
 
+  // The tiles that those of this texture are cut like, or itself.
+  uint32_t SetOf(uint32_t index) const { return graph_.textures[index].of.value_or(index); }
+  bool IsOfSet(uint32_t index, uint32_t set) const {
+    return graph_.textures[index].kind == TextureKind::kTiles && SetOf(index) == set;
+  }
+
+  // A pack for each texture of the set, in their order; null, and reported, if there are none.
+  Tiles TilesOf(uint32_t set) {
+    const auto reader = tile_readers_.find(set);
+    if (reader == tile_readers_.end()) return CutTiles(set);
+    TileReader& kept = reader->second;
+    if (!kept.tiles) kept.tiles = CutTiles(set);
+    --kept.count;
+    return kept.count == 0 ? std::exchange(kept.tiles, nullptr) : kept.tiles;
+  }
+
+  Tiles CutTiles(uint32_t set) {
+    std::vector<textures::Image> maps;
+    std::vector<double> weights;
+    for (uint32_t t = 0; t < graph_.textures.size(); ++t) {
+      if (!IsOfSet(t, set)) continue;
+      const graph::Texture& map = graph_.textures[t];
+      auto picture = textures::ReadPicture(PictureOf(map, 0, folder_), diagnostics_, roots_);
+      if (!picture) return nullptr;
+      maps.push_back(std::move(*picture));
+      weights.push_back(map.tiles.weight);
+    }
+    const graph::Texture& texture = graph_.textures[set];
+    auto tiles = textures::MakeTileSet(maps, weights, TileOptionsOf(texture), texture.name,
+                                       texture.range, diagnostics_);
+    if (!tiles) return nullptr;
+    return std::make_shared<const textures::TileSet>(std::move(*tiles));
+  }
+
+  std::optional<TextureData> MakeTiles(const graph::Texture& texture, uint32_t index) {
+    const uint32_t set = SetOf(index);
+    const Tiles tiles = TilesOf(set);
+    if (!tiles) return std::nullopt;
+    size_t pack = 0;
+    for (uint32_t t = 0; t < index; ++t) pack += IsOfSet(t, set);
+    return textures::MakeTileTexture(tiles->packs[pack], tiles->layout, OptionsOf(texture),
+                                     texture.name, texture.range, diagnostics_);
+  }
+
   // The means of the patterns that a map, perhaps by way of lists, leads to.
   std::optional<TextureData> MakeMeans(const graph::Texture& texture, uint32_t index) {
     const std::optional<uint32_t> found = graph::PatternsOf(graph_, index);
@@ -144,10 +194,16 @@ class Maker {
     Pictures pictures;
   };
 
+  struct TileReader {
+    uint32_t count = 0;
+    Tiles tiles;
+  };
+
   const graph::Graph& graph_;
   const std::string& folder_;
   const Roots& roots_;
   Diagnostics& diagnostics_;
+  std::map<uint32_t, TileReader> tile_readers_;  // by the set
   std::map<uint32_t, Reader> readers_;  // by the first of equal textures
 };
 
@@ -169,6 +225,25 @@ textures::TextureOptions OptionsOf(const graph::Texture& texture) {
   options.match_edges = texture.match_edges;
   options.edge_groups = texture.edge_groups;
   options.weights = texture.weights;
+  return options;
+}
+
+textures::TilePackLayout TileLayoutOf(const graph::Texture& texture) {
+  const graph::TileSetting& tiles = texture.tiles;
+  return textures::LayOutTiles(
+      tiles.has_edge_colors ? textures::TileKind::kWang : textures::TileKind::kCorner, tiles.colors,
+      tiles.size);
+}
+
+textures::TileSetOptions TileOptionsOf(const graph::Texture& texture) {
+  const graph::TileSetting& tiles = texture.tiles;
+  textures::TileSetOptions options;
+  options.kind = tiles.has_edge_colors ? textures::TileKind::kWang : textures::TileKind::kCorner;
+  options.colors = tiles.colors;
+  options.tile_size = tiles.size;
+  options.wraps = tiles.wraps;
+  options.seed = tiles.seed;
+  options.candidates = tiles.candidates;
   return options;
 }
 

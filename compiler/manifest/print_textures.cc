@@ -9,6 +9,7 @@
 
 #include "compiler/base/files.h"
 #include "compiler/base/text.h"
+#include "compiler/manifest/graph_textures.h"
 #include "compiler/manifest/pictures.h"
 
 namespace texgraph::manifest {
@@ -51,7 +52,10 @@ std::string_view FormatName(TexelFormat format) {
 // What the numbers of a map count.
 std::string_view ThingsOf(const graph::Graph& graph, const graph::Texture& texture) {
   if (!texture.of) return "numbers";
-  return graph.textures[*texture.of].kind == TextureKind::kLists ? "lists" : "patterns";
+  const TextureKind kind = graph.textures[*texture.of].kind;
+  return kind == TextureKind::kLists   ? "lists"
+         : kind == TextureKind::kTiles ? "tiles"
+                                       : "patterns";
 }
 
 class TexturePrinter {
@@ -87,6 +91,7 @@ class TexturePrinter {
     PrintFiles();
     if (data_) PrintShape();
     if (texture_.HasPatterns() && texture_.IsDerived()) PrintPatterns();
+    if (texture_.kind == TextureKind::kTiles) PrintTiles();
     if (texture_.IsMap()) PrintMap();
     PrintSampling();
     json_.CloseObject();
@@ -175,6 +180,22 @@ class TexturePrinter {
     if (texture_.pack == graph::TexturePack::kAtlas) PrintSides("grid", texture_.grid);
   }
 
+  // The tile in column x, row y of the pack, from below, begins y tiles and the gutter above its
+  // lower border.
+  void PrintTiles() {
+    const textures::TilePackLayout layout = TileLayoutOf(texture_);
+    json_.OpenObject("tiles");
+    if (texture_.tiles.has_edge_colors) {
+      PrintSides("edge_colors", texture_.tiles.colors);
+    } else {
+      json_.Integer("corner_colors", texture_.tiles.colors[0]);
+    }
+    json_.Integer("tile_size", layout.tile_size);
+    PrintSides("pack", {layout.columns, layout.rows});
+    json_.Integer("gutter", layout.gutter);
+    json_.CloseObject();
+  }
+
   void PrintSides(std::string_view key, const std::array<uint32_t, 2>& sides) {
     json_.Raw(key, JsonList({std::to_string(sides[0]), std::to_string(sides[1])}));
   }
@@ -208,7 +229,9 @@ class TexturePrinter {
     if (texture_.is_3d) wraps.push_back(JsonQuoted(WrapName(texture_.wrap_w)));
     json_.Raw("wrap", JsonList(wraps));
     json_.Bool("mipmaps", texture_.mipmaps);
-    if (data_ && texture_.pack == graph::TexturePack::kAtlas) {
+    const bool is_pack =
+        texture_.pack == graph::TexturePack::kAtlas || texture_.kind == TextureKind::kTiles;
+    if (data_ && is_pack) {
       json_.Integer("max_level", static_cast<long long>(data_->levels.size()) - 1);
     } else if (texture_.max_level) {
       json_.Integer("max_level", *texture_.max_level);

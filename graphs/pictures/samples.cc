@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Samples for tiling by example: a lawn, and gravel with its relief. They repeat without a seam,
 // and each has a few things that everybody notices, so that a plain repetition is seen at once.
+// Grass has nothing but blades: of it tiles are made.
 #include <cmath>
 
 #include "graphs/pictures/things.h"
@@ -33,14 +34,22 @@ double Dryness(Point p) {
   return Clamp(0.95 * spot + 0.75 * SmoothStep(0.28, 0.75, clouds), 0, 1);
 }
 
-void LayBlades(Canvas& canvas, int across, int layer) {
+void LaySoil(Canvas& canvas) {
+  canvas.Fill([](Point p) {
+    const double crumb = Fractal(p * 24, 3, kLawn + 1, 24);
+    return Mix({0.13, 0.15, 0.06}, {0.27, 0.23, 0.12}, SmoothStep(-0.5, 0.6, crumb));
+  });
+}
+
+// `dryness`: how much of the lawn's is in it.
+void LayBlades(Canvas& canvas, int across, int layer, double dryness) {
   const uint32_t seed = kLawn + 1000 + static_cast<uint32_t>(100 * layer);
   for (int i = 0; i < across * across; ++i) {
     const int shuffled = static_cast<int>(int64_t{i} * 7919 % (across * across));
     const int x = shuffled % across;
     const int y = shuffled / across;
     const Point at{(x + Random(x, y, seed)) / across, (y + Random(x, y, seed + 1)) / across};
-    const double dry = Dryness(at);
+    const double dry = dryness * Dryness(at);
     const double length = (0.030 + 0.040 * Random(x, y, seed + 2)) * (1 - 0.35 * dry);
     const Point along = Direction(x, y, seed + 3);
     const double bend = 0.25 * length * (2 * Random(x, y, seed + 4) - 1);
@@ -49,7 +58,7 @@ void LayBlades(Canvas& canvas, int across, int layer) {
     const double tone = Clamp(0.45 + 0.5 * clump + 0.6 * (Random(x, y, seed + 6) - 0.5), 0, 1);
     const Color green = Mix({0.15, 0.30, 0.08}, {0.47, 0.62, 0.20}, tone);
     const Color straw = Mix({0.55, 0.48, 0.22}, {0.83, 0.76, 0.46}, Random(x, y, seed + 7));
-    const bool is_dry = Random(x, y, seed + 8) < 0.05 + 0.85 * dry;
+    const bool is_dry = Random(x, y, seed + 8) < dryness * 0.05 + 0.85 * dry;
     const Color color = (is_dry ? straw : green) * (0.70 + 0.15 * layer);
     LayAround(at, 0.08, [&](Point foot) {
       canvas.Stroke(foot, foot + along * length, bend, width, color * 0.70, color * 1.18);
@@ -139,12 +148,16 @@ Surface GravelSurface(Point p) {
 
 Picture MakeLawn() {
   Canvas canvas(256, 256);
-  canvas.Fill([](Point p) {
-    const double crumb = Fractal(p * 24, 3, kLawn + 1, 24);
-    return Mix({0.13, 0.15, 0.06}, {0.27, 0.23, 0.12}, SmoothStep(-0.5, 0.6, crumb));
-  });
-  for (int layer = 0; layer < 3; ++layer) LayBlades(canvas, 44, layer);
+  LaySoil(canvas);
+  for (int layer = 0; layer < 3; ++layer) LayBlades(canvas, 44, layer, 1);
   LayFlowers(canvas);
+  return Coarse(canvas.FinishOpaque());
+}
+
+Picture MakeGrass() {
+  Canvas canvas(256, 256);
+  LaySoil(canvas);
+  for (int layer = 0; layer < 3; ++layer) LayBlades(canvas, 44, layer, 0);
   return Coarse(canvas.FinishOpaque());
 }
 

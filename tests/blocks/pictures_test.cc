@@ -70,8 +70,8 @@ TEST(PicturesTest, FilesAreSmall) {
 TEST(PicturesTest, PicturesToTileWithRepeatWithoutASeam) {
   for (const char* name :
        {"brick_wall/mortar.png", "first_wall/mortar.png", "hallway/plaster.png",
-        "hallway/plaster_relief.png", "painted_wood/wood.png", "hex_tiling/lawn.png",
-        "hex_tiling/gravel.png", "hex_tiling/gravel_height.png", "hex_tiling/gravel_relief.png"}) {
+        "hallway/plaster_relief.png", "painted_wood/wood.png", "grass_tiles/grass.png",
+        "hex_tiling/lawn.png", "hex_tiling/gravel.png", "hex_tiling/gravel_height.png", "hex_tiling/gravel_relief.png"}) {
     SCOPED_TRACE(name);
     Picture picture = ReadPng(std::string(TEXGRAPH_SOURCE_DIR) + "/graphs/" + name);
     ASSERT_FALSE(picture.has_alpha);

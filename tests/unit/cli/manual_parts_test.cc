@@ -79,6 +79,14 @@ std::map<std::string, std::vector<Rest>> RestOfPages() {
                               "pattern": 0)") +
                          Sum("e", "a", "b") + Sum("f", "c", "d") + Sum("g", "e", "f"),
                      "g"),
+        TexturesWith("",
+                     grid + Node("a", "corner_tiles", R"("tiles": "grass")") +
+                         Node("b", "corner_tiles", R"("tiles": "grass_normal")") +
+                         Node("c", "wang_tiles", R"("tiles": "sand")") +
+                         Node("d", "tile_map", R"("tiles": "grass", "map": "plan")") +
+                         Sum("e", "a.color", "b.color") + Sum("f", "c.color", "d.color") +
+                         Sum("g", "e", "f"),
+                     "g"),
         TexturesWith(ground + R"(, "leaf_patterns": {"layers": ["g0.png", "g1.png", "g2.png",
                      "g3.png"]}, )",
                      maps, "g"),
@@ -115,7 +123,8 @@ std::map<std::string, std::vector<Rest>> RestOfPages() {
             R"("picture": {"block": "image", "in": {"picture": "stones_map"}})" +
                 ImageOf("texel", "relief") + Node("slope", "normal_map", R"("texel": "texel")") +
                 ImageOf("height_texel", "heights") + ", ",
-            R"("color": "stones", "normal": "facing")")}},
+            R"("color": "stones", "normal": "facing")"),
+        {R"({"texgraph": 1, )", R"(, "outputs": {"color": "blades.color"}})"}}},
       {"docs/grids.md",
        {Nodes("", "", R"("height": "tone", "opacity": "gap")"),
         Nodes(R"("where_moss_grows": {"file": "g0.png"}, "moss": {"file": "g1.png"})",
@@ -143,15 +152,20 @@ class ManualParts : public testing::Test {
           "leaf3.png"}) {
       Write(name, {{40, 90, 200, 255}, {120, 60, 20, 128}});
     }
+    // Samples of tiles.
+    for (const char* name : {"grass.png", "grass_normal.png", "sand.png"}) {
+      Write(name, {{40, 90, 200, 255}, {120, 60, 20, 128}}, 128);
+    }
     Write("areas.png", {{0x3a, 0x7d, 0x2c, 255}, {0xc8, 0xb4, 0x6a, 255}});
   }
 
-  void Write(const std::string& name, const std::vector<std::vector<uint8_t>>& colors) {
+  void Write(const std::string& name, const std::vector<std::vector<uint8_t>>& colors,
+             uint32_t side = 16) {
     Image image;
-    image.width = image.height = 16;
+    image.width = image.height = side;
     image.channels = 4;
-    for (uint32_t i = 0; i < 256; ++i) {
-      const auto& color = colors[(i / 4 + i / 64) % colors.size()];
+    for (uint32_t i = 0; i < side * side; ++i) {
+      const auto& color = colors[(i / 4 + i / (4 * side)) % colors.size()];
       image.pixels.insert(image.pixels.end(), color.begin(), color.end());
     }
     folder.Write(name, *textures::EncodePng(image));

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// Ports that repeat what a set of tiles says of its colours ("@colors_of"): of corners where the
+// port is an int, of edges where it is an ivec2. They follow from the texture, and a graph that
+// gives them all the same gives them as the texture has them.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "compiler/graph/literal.h"
+#include "compiler/graph/subgraph_checker.h"
+
+namespace texgraph::graph {
+namespace {
+
+std::string ColorsText(const Texture& texture) {
+  const auto [first, second] = texture.tiles.colors;
+  if (!texture.tiles.has_edge_colors) return fmt::format("{} corner colours", first);
+  return fmt::format("{} colours of edges that lie and {} of edges that stand", first, second);
+}
+
+// The words of the port that fit the tiles; empty if their colours are of the other kind.
+std::span<const uint32_t> ColorsFor(const blocks::Port& port, const Texture& texture) {
+  const bool wants_edges = port.type == ir::kIvec2;
+  if (wants_edges != texture.tiles.has_edge_colors) return {};
+  return std::span(texture.tiles.colors).first(wants_edges ? 2 : 1);
+}
+
+}  // namespace
+
+// A pack that was made by another program says nothing: then the port is to be connected.
+std::optional<BoundPort> SubgraphChecker::BindColors(const Target& target,
+                                                     const blocks::Overload& overload,
+                                                     const Node& node) {
+  const blocks::Port& port = target.port;
+  const std::string_view of = overload.inputs[*port.colors_of].name;
+  const auto input = std::ranges::find(node.inputs, of, &Input::port);
+  if (input == node.inputs.end()) return std::nullopt;  // it is missing, and reported
+  const Resolved& resolved = arguments_[input - node.inputs.begin()];
+  if (resolved.kind != Resolved::Kind::kSymbol || resolved.symbol.kind != Symbol::Kind::kTexture) {
+    return std::nullopt;  // reported
+  }
+  const Texture& texture = check_.graph.textures[resolved.symbol.index];
+  if (texture.kind != TextureKind::kTiles) return BindDefault(target, node.range);
+  const std::span<const uint32_t> colors = ColorsFor(port, texture);
+  if (colors.empty()) {
+    check_.diagnostics
+        .Error(DiagnosticKind::kTileColors, input->argument.range,
+               fmt::format("block '{}' takes tiles with colours of {}, but '{}' has {}",
+                           node.block, port.type == ir::kIvec2 ? "edges" : "corners",
+                           texture.name, ColorsText(texture)))
+        .AddNote(texture.range, fmt::format("'{}' is here", texture.name));
+    return std::nullopt;
+  }
+  const ir::ConstId value = check_.module.Intern(port.type, colors);
+  return BoundPort{ConstantValue{value}, port.type, port.type, {}, node.range};
+}
+
+void SubgraphChecker::CheckColors(const CheckedNode& checked, const blocks::Overload& overload) {
+  if (checked.inputs.size() != overload.inputs.size()) return;  // reported
+  for (size_t i = 0; i < overload.inputs.size(); ++i) {
+    const blocks::Port& port = overload.inputs[i];
+    if (!port.colors_of) continue;
+    const auto* value = std::get_if<ConstantValue>(&checked.inputs[i].source);
+    const auto* ref = std::get_if<TextureRef>(&checked.inputs[*port.colors_of].source);
+    if (!value || !value->value || !ref) continue;
+    const Texture& texture = check_.graph.textures[ref->texture];
+    if (texture.kind != TextureKind::kTiles) continue;
+    if (std::ranges::equal(check_.module.Words(value->value), ColorsFor(port, texture))) continue;
+    const Place place{"port", port.name, "node", checked.node->name, port.range};
+    check_.diagnostics
+        .Error(DiagnosticKind::kTileColors, checked.inputs[i].range,
+               fmt::format("{} does not fit '{}', which has {}; without a value it is as the "
+                           "texture says",
+                           place.Text(), texture.name, ColorsText(texture)))
+        .AddNote(texture.range, fmt::format("'{}' is here", texture.name));
+  }
+}
+
+}  // namespace texgraph::graph
