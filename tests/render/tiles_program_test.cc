@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+// A pack that texgraph tiles wrote, in a graph that names it as a file and says its colours: what
+// is drawn are its tiles, whole, and colours agree wherever two of them meet.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <vector>
+
+#include "tests/unit/cli/tiles_testing.h"
+
+namespace texgraph {
+namespace {
+
+using textures::Image;
+using textures::TileColors;
+using textures::TileKind;
+using textures::TilePackLayout;
+
+constexpr uint32_t kTile = 8;    // texels
+constexpr uint32_t kTiling = 6;  // tiles each way
+
+class TilesInAGraph : public TilesCommand {
+ protected:
+  // Each tile of the picture, from the left bottom one on, as the colours of that tile of the pack.
+  std::vector<TileColors> Draw(const TilePackLayout& layout, const std::string& option,
+                               const std::string& block, const std::string& colors) {
+    const std::string size = std::to_string(kTile);
+    const Outcome made =
+        Make({"grass.png", "--tile-size", size, "--candidates", "16",
+              layout.kind == TileKind::kWang ? "--edges" : "--corners", option, "-o", "pack.png"})
+            .Run();
+    EXPECT_EQ(made.exit_code, 0) << made.error;
+    folder.Write("graph.json", fmt::format(R"({{ "texgraph": 1,
+      "textures": {{ "pack": {{ "file": "pack.png", "mipmaps": false,
+                               "wrap": "repeat" }} }},
+      "nodes": {{ "tiles": {{ "block": "{}", "in": {{ "tiles": "pack", "tiling": {},
+                                                     "colors": {} }} }} }},
+      "outputs": {{ "color": "tiles.color" }} }})",
+                                           block, kTiling, colors));
+    Program render = Make({});
+    render.arguments = {"render",    "graph.json", "-o",
+                        "drawn.png", "--size",     std::to_string(kTile * kTiling)};
+    const Outcome drawn = render.Run();
+    EXPECT_EQ(drawn.exit_code, 0) << drawn.error;
+    if (drawn.exit_code != 0) return {};
+    return TilesOf(Picture("drawn.png"), Picture("pack.png"), layout);
+  }
+
+  // The difference of a tile of the picture from one of the pack in the worst of its texels.
+  static uint32_t Difference(const Image& drawn, uint32_t column, uint32_t row, const Image& pack,
+                             const TilePackLayout& layout, const TileColors& colors) {
+    uint32_t worst = 0;
+    for (uint32_t i = 0; i < kTile * kTile * 3; ++i) {
+      const uint32_t x = i / 3 % kTile;
+      const uint32_t y = i / 3 / kTile;
+      const auto seen =
+          static_cast<int>(textures::test::UpAt(drawn, column * kTile + x, row * kTile + y, i % 3));
+      const auto expected = static_cast<int>(
+          textures::test::TileTexel(pack, layout, PackedTile(layout, colors), x, y, i % 3));
+      worst = std::max(worst, static_cast<uint32_t>(std::abs(seen - expected)));
+    }
+    return worst;
+  }
+
+  static std::vector<TileColors> TilesOf(const Image& drawn, const Image& pack,
+                                         const TilePackLayout& layout) {
+    std::vector<TileColors> tiles;
+    for (uint32_t i = 0; i < kTiling * kTiling; ++i) {
+      std::vector<TileColors> found;
+      for (const TileColors& colors : textures::test::AllTiles(layout)) {
+        // A driver may round otherwise.
+        if (Difference(drawn, i % kTiling, i / kTiling, pack, layout, colors) <= 1)
+          found.push_back(colors);
+      }
+      EXPECT_EQ(found.size(), 1u) << "tile " << i;
+      tiles.push_back(found.empty() ? TileColors() : found[0]);
+    }
+    return tiles;
+  }
+};
+
+TEST_F(TilesInAGraph, CornersAgree) {
+  const auto tiles =
+      Draw(textures::LayOutTiles(TileKind::kCorner, {4, 4}, kTile), "4", "corner_tiles", "4");
+  ASSERT_EQ(tiles.size(), kTiling * kTiling);
+  for (uint32_t i = 0; i < tiles.size(); ++i) {
+    if (i % kTiling + 1 < kTiling) {
+      EXPECT_EQ(tiles[i][1], tiles[i + 1][0]);
+      EXPECT_EQ(tiles[i][3], tiles[i + 1][2]);
+    }
+    if (i + kTiling < tiles.size()) {
+      EXPECT_EQ(tiles[i][2], tiles[i + kTiling][0]);
+      EXPECT_EQ(tiles[i][3], tiles[i + kTiling][1]);
+    }
+  }
+}
+
+TEST_F(TilesInAGraph, EdgesAgree) {
+  const auto tiles =
+      Draw(textures::LayOutTiles(TileKind::kWang, {3, 2}, kTile), "3,2", "wang_tiles", "[3, 2]");
+  ASSERT_EQ(tiles.size(), kTiling * kTiling);
+  for (uint32_t i = 0; i < tiles.size(); ++i) {
+    if (i % kTiling + 1 < kTiling) EXPECT_EQ(tiles[i][1], tiles[i + 1][3]);
+    if (i + kTiling < tiles.size()) EXPECT_EQ(tiles[i][2], tiles[i + kTiling][0]);
+  }
+}
+
+}  // namespace
+}  // namespace texgraph
