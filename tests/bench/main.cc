@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// texgraph_bench [--only=compiling|shaders|chart|patterns] [--graph=NAME] [--write FILE]: measures
-// compilation, shaders, the chart of one paper and the table of another, or one of them, or the
-// shader of one graph, and prints the report as Markdown, to FILE too. The limits beside the
+// texgraph_bench [--only=compiling|shaders|chart|patterns|tiles] [--graph=NAME] [--write FILE]:
+// measures compilation, shaders, the chart of one paper and the table of another, tiles made of a
+// picture, or one of them, or the shader of one graph, and prints the report as Markdown, to FILE too. The limits beside the
 // figures are the project's promises; a missed one is marked, and the exit status is 1.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -223,9 +223,29 @@ void ReportPatterns(const std::vector<PatternEntry>& entries, Report& report) {
   }
 }
 
+void ReportTiles(const std::vector<TilesEntry>& entries, Report& report) {
+  report.Line("\n## Tiles made of a picture\n");
+  report.Line(
+      "To plain: the fastest frame of 1024 x 1024, to that of one trilinear look-up in the same "
+      "pack with as many texels a pixel.\n");
+  report.Line("| block | look-ups | frame | to plain | promised |\n|---|---|---|---|---|");
+  for (const TilesEntry& e : entries) {
+    if (!e.error.empty()) {
+      report.Line(fmt::format("| {} | failed: {} |", e.name, e.error));
+      report.Miss();
+      continue;
+    }
+    const bool ok = e.most_to_plain == 0 || e.to_plain <= e.most_to_plain;
+    if (!ok) report.Miss();
+    report.Line(fmt::format("| {} | {} | {:.1f} ms | {}{:.2f}{} | {} |", e.name, e.samples,
+                            e.frame_ms, ok ? "" : "**", e.to_plain, ok ? "" : "**",
+                            e.most_to_plain > 0 ? fmt::format("{:.2f}", e.most_to_plain) : ""));
+  }
+}
+
 // What the command line asks for.
 struct Request {
-  std::string only;   // "compiling", "shaders", "chart", "patterns" or everything
+  std::string only;   // "compiling", "shaders", "chart", "patterns", "tiles" or everything
   std::string graph;  // the only graph whose shader is measured; empty: all that have a reference
   std::string write;
 };
@@ -243,7 +263,7 @@ std::optional<Request> ReadCommandLine(int argc, char** argv) {
     if (!value || (equals == argument.npos && i + 1 == argc)) return std::nullopt;
     *value = equals == argument.npos ? argv[++i] : argument.substr(equals + 1);
   }
-  const std::string_view parts[] = {"", "compiling", "shaders", "chart", "patterns"};
+  const std::string_view parts[] = {"", "compiling", "shaders", "chart", "patterns", "tiles"};
   if (std::ranges::find(parts, request.only) == std::end(parts)) return std::nullopt;
   return request;
 }
@@ -299,7 +319,7 @@ int Main(int argc, char** argv) {
   std::optional<Request> request = ReadCommandLine(argc, argv);
   if (!request) {
     std::fputs(
-        "usage: texgraph_bench [--only=compiling|shaders|chart|patterns] [--graph=NAME] "
+        "usage: texgraph_bench [--only=compiling|shaders|chart|patterns|tiles] [--graph=NAME] "
         "[--write FILE]\n",
         stderr);
     return 2;
@@ -318,6 +338,7 @@ int Main(int argc, char** argv) {
   if (is_wanted("shaders")) MeasureShaders(root, request->graph, report);
   if (is_wanted("chart")) MeasureAndReportChart(root, report);
   if (is_wanted("patterns")) ReportPatterns(MeasurePatterns(root), report);
+  if (is_wanted("tiles")) ReportTiles(MeasureTiles(root), report);
   std::fputs(report.text().c_str(), stdout);
   if (!request->write.empty()) std::ofstream(request->write) << report.text();
   return report.missed() > 0;

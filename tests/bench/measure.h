@@ -58,4 +58,15 @@ struct PatternEntry {
 };
 std::vector<PatternEntry> MeasurePatterns(const std::string& root);
 
+// A block that shows tiles made of a picture.
+struct TilesEntry {
+  std::string name;
+  int samples = 0;
+  double frame_ms = 0;
+  // To one plain trilinear look-up in the same pack, with as many texels a pixel.
+  double to_plain = 0, most_to_plain = 0;  // 0: nothing is promised
+  std::string error;
+};
+std::vector<TilesEntry> MeasureTiles(const std::string& root);
+
 }  // namespace texgraph::bench
