@@ -257,7 +257,7 @@ void Reader::ReadKey(const DocumentNode& node, ManifestTexture& texture) {
 
 void Reader::ReadMap(const DocumentNode& node, ManifestTexture& texture) {
   static constexpr std::string_view kContents[] = {"patterns", "lists", "tiles", "numbers",
-                                                  "sprites"};
+                                                   "sprites"};
   const DocumentNode* object = Find(node, "map", DocumentKind::kObject, false);
   if (object == nullptr) return;
   ManifestMap& map = texture.map.emplace();

@@ -29,9 +29,9 @@ struct ParameterDoc {
 };
 
 constexpr std::string_view kInlineTags[] = {
-    "@default",     "@length",  "@range",       "@unit",  "@ordered", "@not_below",  "@computed",
-    "@multiple_of", "@grid_of", "@transitions", "@below", "@one_of",  "@as_long_as", "@asked_at",
-    "@colors_of"};
+    "@default",   "@length",   "@range",       "@unit",     "@ordered",
+    "@not_below", "@computed", "@multiple_of", "@grid_of",  "@transitions",
+    "@below",     "@one_of",   "@as_long_as",  "@asked_at", "@colors_of"};
 constexpr std::string_view kTags[] = {"@param", "@return", "@source"};
 
 void AppendLine(std::string& text, std::string_view line, char separator) {
@@ -426,7 +426,8 @@ class DocChecker {
   // Set when all inputs are known.
   static bool NamesInputs(std::string_view tag) {
     return tag == "@ordered" || tag == "@not_below" || tag == "@multiple_of" || tag == "@grid_of" ||
-           tag == "@colors_of" || tag == "@transitions" || tag == "@below" || tag == "@as_long_as" || tag == "@asked_at";
+           tag == "@colors_of" || tag == "@transitions" || tag == "@below" ||
+           tag == "@as_long_as" || tag == "@asked_at";
   }
 
   // Of a field, the type of its results.

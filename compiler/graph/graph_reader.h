@@ -147,8 +147,7 @@ class GraphReader {
   void CountLayers(std::optional<uint32_t> limit, SourceRange cells, SpriteMap& map);
   // read_tiles.cc
   void ReadTiles(const TextureKeys& keys, Owner owner, Texture& texture);
-  void ReadTiling(const DocumentNode& node, const TextureKeys& keys, Owner owner,
-                  Texture& texture);
+  void ReadTiling(const DocumentNode& node, const TextureKeys& keys, Owner owner, Texture& texture);
   void ReadTileColors(const TextureKeys& keys, Owner owner, Texture& texture);
   void ReadWhole(const DocumentNode* node, Owner owner, uint32_t least, uint32_t greatest,
                  uint32_t& out);

@@ -18,11 +18,11 @@ using Key = TextureKey;
 constexpr size_t kKindCount = 9;  // the first keys are those of the kinds, in TextureKind's order
 
 constexpr std::array<std::string_view, kTextureKeyCount> kTextureKeys = {
-    "file",    "layers",    "sheet",         "map",         "lists",       "sprites", "means",
-    "tiles",   "tiling",    "mask",          "key",         "color_space", "alpha",   "filter",
-    "wrap",    "wrap_u",    "wrap_v",        "mipmaps",     "max_level",   "grid",    "pack",
-    "edges",   "weights",   "legend",        "of",          "binding",     "cells",   "dithered",
-    "corner_colors", "edge_colors", "tile_size", "like", "seed", "candidates", "weight"};
+    "file",          "layers",      "sheet",     "map",     "lists",       "sprites",    "means",
+    "tiles",         "tiling",      "mask",      "key",     "color_space", "alpha",      "filter",
+    "wrap",          "wrap_u",      "wrap_v",    "mipmaps", "max_level",   "grid",       "pack",
+    "edges",         "weights",     "legend",    "of",      "binding",     "cells",      "dithered",
+    "corner_colors", "edge_colors", "tile_size", "like",    "seed",        "candidates", "weight"};
 
 constexpr uint64_t Bit(TextureKey key) { return uint64_t{1} << static_cast<uint32_t>(key); }
 

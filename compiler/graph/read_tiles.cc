@@ -12,8 +12,8 @@ void GraphReader::ReadWhole(const DocumentNode* node, Owner owner, uint32_t leas
                             uint32_t greatest, uint32_t& out) {
   if (!Is(node, DocumentKind::kNumber, owner)) return;
   if (!node->is_integer || node->integer < least || node->integer > greatest) {
-    return BadValue(*node, fmt::format("'{}' is a whole number from {} to {}", node->key, least,
-                                       greatest));
+    return BadValue(
+        *node, fmt::format("'{}' is a whole number from {} to {}", node->key, least, greatest));
   }
   out = static_cast<uint32_t>(node->integer);
 }
@@ -28,9 +28,9 @@ void GraphReader::ReadTiles(const TextureKeys& keys, Owner owner, Texture& textu
     if (value >= 0) tiles.weight = value;
   }
   if (const DocumentNode* like = at(TextureKey::kLike)) {
-    for (TextureKey key : {TextureKey::kCornerColors, TextureKey::kEdgeColors,
-                           TextureKey::kTileSize, TextureKey::kSeed, TextureKey::kCandidates,
-                           TextureKey::kWrap}) {
+    for (TextureKey key :
+         {TextureKey::kCornerColors, TextureKey::kEdgeColors, TextureKey::kTileSize,
+          TextureKey::kSeed, TextureKey::kCandidates, TextureKey::kWrap}) {
       if (!at(key)) continue;
       diagnostics_
           .Error(DiagnosticKind::kGraphShape, at(key)->key_range,
@@ -46,7 +46,8 @@ void GraphReader::ReadTiles(const TextureKeys& keys, Owner owner, Texture& textu
   texture.wrap_v = has_gutters ? TextureWrap::kClamp : TextureWrap::kRepeat;
   ReadWhole(at(TextureKey::kTileSize), owner, kMinTileSize, kMaxTileSize, tiles.size);
   ReadWhole(at(TextureKey::kSeed), owner, 0, kMaxMapNumber, tiles.seed);
-  ReadWhole(at(TextureKey::kCandidates), owner, kMinTileCandidates, kMaxTileCandidates, tiles.candidates);
+  ReadWhole(at(TextureKey::kCandidates), owner, kMinTileCandidates, kMaxTileCandidates,
+            tiles.candidates);
 }
 
 void GraphReader::ReadTileColors(const TextureKeys& keys, Owner owner, Texture& texture) {
@@ -77,9 +78,10 @@ void GraphReader::ReadTileColors(const TextureKeys& keys, Owner owner, Texture& 
   }
   if (count == 2) return;
   tiles.colors = {2, 2};
-  BadValue(*edges, fmt::format("'edge_colors' is two whole numbers from 1 to {}: of edges that lie, "
-                               "and of edges that stand",
-                               kMaxTileColors));
+  BadValue(*edges,
+           fmt::format("'edge_colors' is two whole numbers from 1 to {}: of edges that lie, "
+                       "and of edges that stand",
+                       kMaxTileColors));
 }
 
 void GraphReader::ReadTiling(const DocumentNode& node, const TextureKeys& keys, Owner owner,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The section "textures" of a graph: pictures, patterns that are packed together, sets of tiles made
-// of a sample, and maps of whole numbers. What a texture says of others ("of", "edges", "weights", "means") is resolved and
-// checked; what stands in files is not looked at, except that a map's picture is decoded later
-// (compiler/prepare).
+// The section "textures" of a graph: pictures, patterns that are packed together, sets of tiles
+// made of a sample, and maps of whole numbers. What a texture says of others ("of", "edges",
+// "weights", "means") is resolved and checked; what stands in files is not looked at, except that a
+// map's picture is decoded later (compiler/prepare).
 #pragma once
 
 #include <array>

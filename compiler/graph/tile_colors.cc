@@ -46,9 +46,9 @@ std::optional<BoundPort> SubgraphChecker::BindColors(const Target& target,
   if (colors.empty()) {
     check_.diagnostics
         .Error(DiagnosticKind::kTileColors, input->argument.range,
-               fmt::format("block '{}' takes tiles with colours of {}, but '{}' has {}",
-                           node.block, port.type == ir::kIvec2 ? "edges" : "corners",
-                           texture.name, ColorsText(texture)))
+               fmt::format("block '{}' takes tiles with colours of {}, but '{}' has {}", node.block,
+                           port.type == ir::kIvec2 ? "edges" : "corners", texture.name,
+                           ColorsText(texture)))
         .AddNote(texture.range, fmt::format("'{}' is here", texture.name));
     return std::nullopt;
   }

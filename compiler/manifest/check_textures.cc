@@ -17,8 +17,8 @@ namespace {
 
 // Every number of a map's picture must be one of what it counts. Pictures have their pixels
 // counted from the left top corner, maps from v = 0.
-bool CheckNumbers(const graph::Graph& graph, const graph::Texture& texture,
-                  const NumberMap& map, Diagnostics& diagnostics) {
+bool CheckNumbers(const graph::Graph& graph, const graph::Texture& texture, const NumberMap& map,
+                  Diagnostics& diagnostics) {
   const std::optional<graph::Reach> reach = graph::ReachOf(graph, texture);
   if (!reach) return true;
   const std::optional<size_t> wrong = textures::FindOutOfRange(map, reach->count);
@@ -87,9 +87,9 @@ void CheckTextures(graph::Graph& graph, const std::string& folder,
   for (graph::Texture& texture : graph.textures) {
     if (texture.kind == graph::TextureKind::kTiling) {
       if (!texture.of) continue;  // reported
-      texture.map = textures::MakeTileMap(TileLayoutOf(graph.textures[*texture.of]),
-                                          texture.map.width, texture.map.height,
-                                          texture.tiles.seed);
+      texture.map =
+          textures::MakeTileMap(TileLayoutOf(graph.textures[*texture.of]), texture.map.width,
+                                texture.map.height, texture.tiles.seed);
     } else if (texture.kind != graph::TextureKind::kMap) {
       CheckPictures(texture, folder, roots, diagnostics);
     } else if (!texture.files.empty()) {

@@ -204,7 +204,7 @@ class Maker {
   const Roots& roots_;
   Diagnostics& diagnostics_;
   std::map<uint32_t, TileReader> tile_readers_;  // by the set
-  std::map<uint32_t, Reader> readers_;  // by the first of equal textures
+  std::map<uint32_t, Reader> readers_;           // by the first of equal textures
 };
 
 }  // namespace

@@ -53,9 +53,7 @@ std::string_view FormatName(TexelFormat format) {
 std::string_view ThingsOf(const graph::Graph& graph, const graph::Texture& texture) {
   if (!texture.of) return "numbers";
   const TextureKind kind = graph.textures[*texture.of].kind;
-  return kind == TextureKind::kLists   ? "lists"
-         : kind == TextureKind::kTiles ? "tiles"
-                                       : "patterns";
+  return kind == TextureKind::kLists ? "lists" : kind == TextureKind::kTiles ? "tiles" : "patterns";
 }
 
 class TexturePrinter {

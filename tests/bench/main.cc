@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // texgraph_bench [--only=compiling|shaders|chart|patterns|tiles] [--graph=NAME] [--write FILE]:
 // measures compilation, shaders, the chart of one paper and the table of another, tiles made of a
-// picture, or one of them, or the shader of one graph, and prints the report as Markdown, to FILE too. The limits beside the
-// figures are the project's promises; a missed one is marked, and the exit status is 1.
+// picture, or one of them, or the shader of one graph, and prints the report as Markdown, to FILE
+// too. The limits beside the figures are the project's promises; a missed one is marked, and the
+// exit status is 1.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 #include <sys/utsname.h>

@@ -53,8 +53,8 @@ TEST(TileIndexTest, IsThePlaceInWeisTour) {
   const std::vector<std::string> tour = {"00", "01", "11", "10", "02", "21", "12", "22",
                                          "20", "03", "31", "13", "32", "23", "33", "30"};
   for (size_t i = 0; i < tour.size(); ++i) {
-    auto outputs = RunBlock("tile_index",
-                            {{"first", Ints({tour[i][0] - '0'})}, {"second", Ints({tour[i][1] - '0'})}});
+    auto outputs = RunBlock(
+        "tile_index", {{"first", Ints({tour[i][0] - '0'})}, {"second", Ints({tour[i][1] - '0'})}});
     EXPECT_EQ(outputs["result"].Int(0), static_cast<int>(i)) << tour[i];
   }
 }
@@ -97,8 +97,8 @@ struct Tiling {
 };
 
 Tiling Tile(const std::string& block, const ir::Texture& pack, Values colors,
-            const std::vector<Vector>& at, std::vector<std::pair<int32_t, int32_t>> period = {{0, 0}},
-            int seed = 0) {
+            const std::vector<Vector>& at,
+            std::vector<std::pair<int32_t, int32_t>> period = {{0, 0}}, int seed = 0) {
   auto outputs = RunBlock(block, {{"tiles", pack},
                                   {"uv", Vectors(at)},
                                   {"tiling", Vectors({{1, 1}})},
@@ -110,9 +110,9 @@ Tiling Tile(const std::string& block, const ir::Texture& pack, Values colors,
     tiling.places.push_back({static_cast<int>(outputs["color"].Float(i, 0)),
                              static_cast<int>(outputs["color"].Float(i, 1))});
     tiling.numbers.push_back(outputs["index"].Int(i));
-    EXPECT_EQ(tiling.numbers.back(),
-              tiling.places.back()[0] +
-                  tiling.places.back()[1] * static_cast<int>(pack.levels[0].width));
+    EXPECT_EQ(
+        tiling.numbers.back(),
+        tiling.places.back()[0] + tiling.places.back()[1] * static_cast<int>(pack.levels[0].width));
   }
   return tiling;
 }
@@ -124,15 +124,15 @@ TEST(CornerTilesTest, ShowsTheTileOfTheDrawnCorners) {
     const ir::Texture pack = PackOf(colors * colors, colors * colors);
     for (const auto& [x, y, period, seed] :
          {std::tuple(-3, -4, 0, 0), {100000, -70000, 0, 7}, {-2, 3, 5, 1}}) {
-      const Tiling tiling = Tile("corner_tiles", pack, Ints({colors}), Middles(x, y, 8, 8),
-                                 {{period, period}}, seed);
+      const Tiling tiling =
+          Tile("corner_tiles", pack, Ints({colors}), Middles(x, y, 8, 8), {{period, period}}, seed);
       for (int v = 0; v < 8; ++v) {
         for (int u = 0; u < 8; ++u) {
           Values corners{ir::kIvec4, 1, {}};
           for (int corner = 0; corner < 4; ++corner) {
-            const uint32_t bits = CellHash(Wrapped(x + u + corner % 2, period),
-                                           Wrapped(y + v + corner / 2, period),
-                                           static_cast<uint32_t>(seed));
+            const uint32_t bits =
+                CellHash(Wrapped(x + u + corner % 2, period), Wrapped(y + v + corner / 2, period),
+                         static_cast<uint32_t>(seed));
             corners.words.push_back(bits % static_cast<uint32_t>(colors));
           }
           auto place =
@@ -187,17 +187,16 @@ TEST(WangTilesTest, NeighboursAgree) {
 }
 
 // O24: of 16 tiles in 256 x 256 cells each comes as often as in independent draws. The chi-square
-// with 15 degrees of freedom is between 3.5 and 37.7 in 998 of 1000; neighbours share corners, which
-// makes it wider, so both sides are doubled.
+// with 15 degrees of freedom is between 3.5 and 37.7 in 998 of 1000; neighbours share corners,
+// which makes it wider, so both sides are doubled.
 TEST(TileBlocksTest, TilesComeEquallyOften) {
   const ir::Texture pack = PackOf(4, 4);
   for (int seed : {0, 1, 77}) {
     for (const bool wang : {false, true}) {
-      const Tiling tiling =
-          wang ? Tile("wang_tiles", pack, CellsOf({{2, 2}}), Middles(-128, -128, 256, 256),
-                      {{0, 0}}, seed)
-               : Tile("corner_tiles", pack, Ints({2}), Middles(-128, -128, 256, 256), {{0, 0}},
-                      seed);
+      const Tiling tiling = wang ? Tile("wang_tiles", pack, CellsOf({{2, 2}}),
+                                        Middles(-128, -128, 256, 256), {{0, 0}}, seed)
+                                 : Tile("corner_tiles", pack, Ints({2}),
+                                        Middles(-128, -128, 256, 256), {{0, 0}}, seed);
       std::vector<double> counts(16);
       for (int number : tiling.numbers) counts[static_cast<size_t>(number)] += 1;
       double chi_square = 0;

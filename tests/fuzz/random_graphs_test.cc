@@ -4,7 +4,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-
 #include "tests/fuzz/break_graph.h"
 #include "tests/fuzz/check_graph.h"
 #include "tests/fuzz/random_graph.h"
