@@ -10,6 +10,7 @@
 #include "compiler/base/files.h"
 #include "compiler/base/text.h"
 #include "compiler/manifest/json_writer.h"
+#include "compiler/manifest/print_textures.h"
 #include "compiler/textures/tile_levels.h"
 
 namespace texgraph::cli {
@@ -29,19 +30,6 @@ std::string Sides(uint32_t first, uint32_t second) {
 std::string RatioJson(double ratio) { return DoubleText(std::round(ratio * 1e4) / 1e4); }
 
 std::string RatioText(double ratio) { return ratio > 0 ? fmt::format("{:.2f}", ratio) : "none"; }
-
-void PrintLayout(const TilePackLayout& layout, manifest::JsonWriter& json) {
-  json.OpenObject("tiles");
-  if (layout.kind == TileKind::kWang) {
-    json.Raw("edge_colors", Sides(layout.colors[0], layout.colors[1]));
-  } else {
-    json.Integer("corner_colors", layout.colors[0]);
-  }
-  json.Integer("tile_size", layout.tile_size);
-  json.Raw("pack", Sides(layout.columns, layout.rows));
-  json.Integer("gutter", layout.gutter);
-  json.CloseObject();
-}
 
 // Of each combination of colours, the first one counting fastest.
 std::string PlacesJson(const TilePackLayout& layout) {
@@ -145,7 +133,7 @@ std::string TilesJson(const TileSet& set, const std::vector<std::string>& maps,
   json.OpenObject("prepared_from");
   json.Raw("files", listed(maps));
   json.CloseObject();
-  PrintLayout(set.layout, json);
+  manifest::PrintTileLayout(set.layout, json);
   json.Raw("places", PlacesJson(set.layout));
   json.Raw("wrap", set.layout.gutter > 0 ? R"(["repeat", "clamp"])" : R"(["repeat", "repeat"])");
   json.Integer("max_level", LastTileLevel(set.layout.tile_size));

@@ -23,19 +23,25 @@ std::array<uint32_t, 2> GridOf(const Texture& texture) {
 
 }  // namespace
 
+SubgraphChecker::NamedTexture SubgraphChecker::TextureAt(const Node& node,
+                                                         std::string_view input) const {
+  const auto found = std::ranges::find(node.inputs, input, &Input::port);
+  if (found == node.inputs.end()) return {};  // it is missing
+  const Resolved& resolved = arguments_[found - node.inputs.begin()];
+  if (resolved.kind != Resolved::Kind::kSymbol || resolved.symbol.kind != Symbol::Kind::kTexture) {
+    return {};
+  }
+  return {&check_.graph.textures[resolved.symbol.index], found->argument.range};
+}
+
 // A picture that was packed by another program says nothing: then the port is to be connected.
 std::optional<BoundPort> SubgraphChecker::BindGrid(const Target& target,
                                                    const blocks::Overload& overload,
                                                    const Node& node) {
   const blocks::Port& port = target.port;
-  const std::string_view of = overload.inputs[*port.grid_of].name;
-  const auto input = std::ranges::find(node.inputs, of, &Input::port);
-  if (input == node.inputs.end()) return std::nullopt;  // it is missing, and reported
-  const Resolved& resolved = arguments_[input - node.inputs.begin()];
-  if (resolved.kind != Resolved::Kind::kSymbol || resolved.symbol.kind != Symbol::Kind::kTexture) {
-    return std::nullopt;  // reported
-  }
-  const Texture& texture = check_.graph.textures[resolved.symbol.index];
+  const NamedTexture named = TextureAt(node, overload.inputs[*port.grid_of].name);
+  if (!named.texture) return std::nullopt;
+  const Texture& texture = *named.texture;
   if (!HasGrid(texture)) return BindDefault(target, node.range);
   const ir::ConstId grid = check_.module.Intern(port.type, GridOf(texture));
   return BoundPort{ConstantValue{grid}, port.type, port.type, {}, node.range};

@@ -161,6 +161,13 @@ class SubgraphChecker {
   std::optional<BoundPort> BindGrid(const Target& target, const blocks::Overload& overload,
                                     const Node& node);
   void CheckGrids(const CheckedNode& checked, const blocks::Overload& overload);
+  // The texture that the node has at an input, and where it says so; null if there is none, which
+  // was reported.
+  struct NamedTexture {
+    const Texture* texture = nullptr;
+    SourceRange range;
+  };
+  NamedTexture TextureAt(const Node& node, std::string_view input) const;
   // tile_colors.cc
   std::optional<BoundPort> BindColors(const Target& target, const blocks::Overload& overload,
                                       const Node& node);

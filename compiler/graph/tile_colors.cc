@@ -33,19 +33,14 @@ std::optional<BoundPort> SubgraphChecker::BindColors(const Target& target,
                                                      const blocks::Overload& overload,
                                                      const Node& node) {
   const blocks::Port& port = target.port;
-  const std::string_view of = overload.inputs[*port.colors_of].name;
-  const auto input = std::ranges::find(node.inputs, of, &Input::port);
-  if (input == node.inputs.end()) return std::nullopt;  // it is missing, and reported
-  const Resolved& resolved = arguments_[input - node.inputs.begin()];
-  if (resolved.kind != Resolved::Kind::kSymbol || resolved.symbol.kind != Symbol::Kind::kTexture) {
-    return std::nullopt;  // reported
-  }
-  const Texture& texture = check_.graph.textures[resolved.symbol.index];
+  const NamedTexture named = TextureAt(node, overload.inputs[*port.colors_of].name);
+  if (!named.texture) return std::nullopt;
+  const Texture& texture = *named.texture;
   if (texture.kind != TextureKind::kTiles) return BindDefault(target, node.range);
   const std::span<const uint32_t> colors = ColorsFor(port, texture);
   if (colors.empty()) {
     check_.diagnostics
-        .Error(DiagnosticKind::kTileColors, input->argument.range,
+        .Error(DiagnosticKind::kTileColors, named.range,
                fmt::format("block '{}' takes tiles with colours of {}, but '{}' has {}", node.block,
                            port.type == ir::kIvec2 ? "edges" : "corners", texture.name,
                            ColorsText(texture)))

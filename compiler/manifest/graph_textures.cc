@@ -20,6 +20,9 @@ namespace {
 // A graph that was checked can be written.
 static_assert(graph::kMaxSpriteTexels == textures::kMaxSpriteTexels &&
               graph::kMaxSpriteLayers == textures::kMaxSpriteLayers);
+static_assert(graph::kMinTileSize == textures::kMinTileSize &&
+              graph::kMaxTileColors == textures::kMaxTileColors &&
+              graph::kMaxTileCandidates == textures::kMaxTileCandidates);
 
 using graph::TextureKind;
 using textures::TextureData;

@@ -49,6 +49,10 @@ std::string_view FormatName(TexelFormat format) {
   return {};
 }
 
+std::string SidesJson(const std::array<uint32_t, 2>& sides) {
+  return JsonList({std::to_string(sides[0]), std::to_string(sides[1])});
+}
+
 // What the numbers of a map count.
 std::string_view ThingsOf(const graph::Graph& graph, const graph::Texture& texture) {
   if (!texture.of) return "numbers";
@@ -89,7 +93,7 @@ class TexturePrinter {
     PrintFiles();
     if (data_) PrintShape();
     if (texture_.HasPatterns() && texture_.IsDerived()) PrintPatterns();
-    if (texture_.kind == TextureKind::kTiles) PrintTiles();
+    if (texture_.kind == TextureKind::kTiles) PrintTileLayout(TileLayoutOf(texture_), json_);
     if (texture_.IsMap()) PrintMap();
     PrintSampling();
     json_.CloseObject();
@@ -178,24 +182,8 @@ class TexturePrinter {
     if (texture_.pack == graph::TexturePack::kAtlas) PrintSides("grid", texture_.grid);
   }
 
-  // The tile in column x, row y of the pack, from below, begins y tiles and the gutter above its
-  // lower border.
-  void PrintTiles() {
-    const textures::TilePackLayout layout = TileLayoutOf(texture_);
-    json_.OpenObject("tiles");
-    if (texture_.tiles.has_edge_colors) {
-      PrintSides("edge_colors", texture_.tiles.colors);
-    } else {
-      json_.Integer("corner_colors", texture_.tiles.colors[0]);
-    }
-    json_.Integer("tile_size", layout.tile_size);
-    PrintSides("pack", {layout.columns, layout.rows});
-    json_.Integer("gutter", layout.gutter);
-    json_.CloseObject();
-  }
-
   void PrintSides(std::string_view key, const std::array<uint32_t, 2>& sides) {
-    json_.Raw(key, JsonList({std::to_string(sides[0]), std::to_string(sides[1])}));
+    json_.Raw(key, SidesJson(sides));
   }
 
   void PrintMap() {
@@ -247,6 +235,19 @@ class TexturePrinter {
 };
 
 }  // namespace
+
+void PrintTileLayout(const textures::TilePackLayout& layout, JsonWriter& json) {
+  json.OpenObject("tiles");
+  if (layout.kind == textures::TileKind::kWang) {
+    json.Raw("edge_colors", SidesJson(layout.colors));
+  } else {
+    json.Integer("corner_colors", layout.colors[0]);
+  }
+  json.Integer("tile_size", layout.tile_size);
+  json.Raw("pack", SidesJson({layout.columns, layout.rows}));
+  json.Integer("gutter", layout.gutter);
+  json.CloseObject();
+}
 
 void PrintTextures(const TextureSection& section, JsonWriter& json) {
   json.OpenList("textures");

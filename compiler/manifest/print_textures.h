@@ -25,5 +25,8 @@ struct TextureSection {
 };
 
 void PrintTextures(const TextureSection& section, JsonWriter& json);
+// The object "tiles", which says what a pack of tiles is. The tile in column x, row y of the pack,
+// from below, begins y tiles and the gutter above its lower border.
+void PrintTileLayout(const textures::TilePackLayout& layout, JsonWriter& json);
 
 }  // namespace texgraph::manifest
