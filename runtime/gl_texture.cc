@@ -24,6 +24,8 @@ Format FormatOf(TexelFormat format) {
       return {GL_SRGB8_ALPHA8, GL_RGBA, GL_UNSIGNED_BYTE};
     case TexelFormat::kRgba16:
       return {GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT};
+    case TexelFormat::kRgba16F:
+      return {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT};
     case TexelFormat::kRgba32F:
       return {GL_RGBA32F, GL_RGBA, GL_FLOAT};
     case TexelFormat::kR16F:

@@ -8,7 +8,7 @@ packages=(
   # tools
   cmake g++ ninja-build
   # the compiler and its command line
-  glslang-dev libboost-dev libcli11-dev libfmt-dev libfyaml-dev spirv-tools
+  glslang-dev libboost-dev libcli11-dev libfmt-dev libfyaml-dev libkissfft-dev spirv-tools
   # the renderer
   libegl-dev libgl-dev libgl1-mesa-dri libegl1 libglm-dev libjpeg-dev libopenexr-dev libosmesa6
   libpng-dev libtinygltf-dev zlib1g-dev

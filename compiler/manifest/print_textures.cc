@@ -39,6 +39,8 @@ std::string_view FormatName(TexelFormat format) {
       return "srgb8_alpha8";
     case TexelFormat::kRgba16:
       return "rgba16";
+    case TexelFormat::kRgba16F:
+      return "rgba16f";
     case TexelFormat::kRgba32F:
       return "rgba32f";
     case TexelFormat::kR16F:

@@ -28,10 +28,11 @@ struct Format {
   bool is_float;
 };
 
-inline constexpr std::array<Format, 6> kFormats = {{
+inline constexpr std::array<Format, 7> kFormats = {{
     {TexelFormat::kRgba8, 37, 4, false},        // VK_FORMAT_R8G8B8A8_UNORM
     {TexelFormat::kSrgb8Alpha8, 43, 4, false},  // VK_FORMAT_R8G8B8A8_SRGB
     {TexelFormat::kRgba16, 91, 4, false},       // VK_FORMAT_R16G16B16A16_UNORM
+    {TexelFormat::kRgba16F, 97, 4, true},       // VK_FORMAT_R16G16B16A16_SFLOAT
     {TexelFormat::kRgba32F, 109, 4, true},      // VK_FORMAT_R32G32B32A32_SFLOAT
     {TexelFormat::kR16F, 76, 1, true},          // VK_FORMAT_R16_SFLOAT
     {TexelFormat::kR32F, 100, 1, true},         // VK_FORMAT_R32_SFLOAT

@@ -51,6 +51,8 @@ void Encode(TexelFormat format, const Texel& t, uint8_t* to) {
       return Store(to, SrgbEncode8(t[0]), SrgbEncode8(t[1]), SrgbEncode8(t[2]), Unorm8(t[3]));
     case TexelFormat::kRgba16:
       return Store(to, Unorm16(t[0]), Unorm16(t[1]), Unorm16(t[2]), Unorm16(t[3]));
+    case TexelFormat::kRgba16F:
+      return Store(to, FloatToHalf(t[0]), FloatToHalf(t[1]), FloatToHalf(t[2]), FloatToHalf(t[3]));
     case TexelFormat::kRgba32F:
       return Store(to, t[0], t[1], t[2], t[3]);
     case TexelFormat::kR16F: {
@@ -68,6 +70,11 @@ void Encode(TexelFormat format, const Texel& t, uint8_t* to) {
 
 ir::Texel DecodeTexel(TexelFormat format, const uint8_t* from) {
   switch (format) {
+    case TexelFormat::kRgba16F: {
+      const std::array<uint16_t, 4> halves = Load<uint16_t>(from);
+      return {HalfToFloat(halves[0]), HalfToFloat(halves[1]), HalfToFloat(halves[2]),
+              HalfToFloat(halves[3])};
+    }
     case TexelFormat::kRgba32F:
       return Load<float>(from);
     case TexelFormat::kR16F: {

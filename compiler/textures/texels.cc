@@ -47,6 +47,7 @@ uint32_t TexelBytes(TexelFormat format) {
     case TexelFormat::kR32F:
       return 4;
     case TexelFormat::kRgba16:
+    case TexelFormat::kRgba16F:
       return 8;
     case TexelFormat::kRgba32F:
       return 16;

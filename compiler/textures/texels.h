@@ -17,8 +17,17 @@
 namespace texgraph::textures {
 
 // Pictures have four channels: grey is spread to red, green and blue; a missing alpha is 1. Maps of
-// numbers (maps.h) have one; a shader reads them as (number, 0, 0, 1).
-enum class TexelFormat : uint8_t { kRgba8, kSrgb8Alpha8, kRgba16, kRgba32F, kR16F, kR32F };
+// numbers (maps.h) have one; a shader reads them as (number, 0, 0, 1). Noise and its statistics are
+// halves, which have signs and do not clip.
+enum class TexelFormat : uint8_t {
+  kRgba8,
+  kSrgb8Alpha8,
+  kRgba16,
+  kRgba16F,
+  kRgba32F,
+  kR16F,
+  kR32F
+};
 
 struct TexelLevel {
   uint32_t width = 1;

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "compiler/textures/hash.h"
 #include "compiler/textures/tile_seams.h"
 
 namespace texgraph::textures {
@@ -17,12 +18,6 @@ constexpr size_t kMaxStarts = 256;
 // Of two patches that are the same, as parts of what a pair costs in the mean.
 constexpr double kOverlapCost = 1;
 constexpr int kMaxSweeps = 8;
-
-uint32_t Pcg(uint32_t value) {
-  const uint32_t state = value * 747796405u + 2891336453u;
-  const uint32_t word = ((state >> (state >> 28 & 15)) >> 4 ^ state) * 277803737u;
-  return word >> 22 ^ word;
-}
 
 // Places of one kind of colour: corners, edges that lie, edges that stand.
 enum class PatchKind : uint8_t { kCorner, kLies, kStands };

@@ -18,7 +18,7 @@ textures::TextureData AsFloats(textures::TextureData data, bool mipmaps) {
     data.sampler.mip_filter = ir::MipFilter::kNone;
   }
   if (data.format == TexelFormat::kR16F || data.format == TexelFormat::kR32F ||
-      data.format == TexelFormat::kRgba32F) {
+      data.format == TexelFormat::kRgba16F || data.format == TexelFormat::kRgba32F) {
     return data;
   }
   const ir::Texture texture = ToTexture(data);

@@ -115,8 +115,9 @@ INSTANTIATE_TEST_SUITE_P(Contexts, LiveTest, testing::ValuesIn(test::AllContexts
 
 TEST_P(LiveTest, ChangedTexelsAreThoseOfTheBeginning) {
   std::mt19937 random(5);
-  for (TexelFormat format : {TexelFormat::kRgba8, TexelFormat::kSrgb8Alpha8, TexelFormat::kRgba16,
-                             TexelFormat::kRgba32F, TexelFormat::kR16F, TexelFormat::kR32F}) {
+  for (TexelFormat format :
+       {TexelFormat::kRgba8, TexelFormat::kSrgb8Alpha8, TexelFormat::kRgba16, TexelFormat::kRgba16F,
+        TexelFormat::kRgba32F, TexelFormat::kR16F, TexelFormat::kR32F}) {
     for (int shape = 0; shape < 3; ++shape) {
       TextureData data = RandomTexture(format, shape == 1, shape == 2, 7);
       RenderRequest request = TexelsOf(data);

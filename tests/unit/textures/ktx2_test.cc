@@ -66,13 +66,15 @@ std::vector<Expected> Formats() {
   std::vector<Expected> all = {
       {TexelFormat::kRgba8, 37, 1, {}, 1},  {TexelFormat::kSrgb8Alpha8, 43, 1, {}, 2},
       {TexelFormat::kRgba16, 91, 2, {}, 1}, {TexelFormat::kRgba32F, 109, 4, {}, 1},
-      {TexelFormat::kR16F, 76, 2, {}, 1},   {TexelFormat::kR32F, 100, 4, {}, 1}};
+      {TexelFormat::kR16F, 76, 2, {}, 1},   {TexelFormat::kR32F, 100, 4, {}, 1},
+      {TexelFormat::kRgba16F, 97, 2, {}, 1}};
   const uint32_t channels[4] = {0, 1, 2, 15};
   for (uint32_t i = 0; i < 4; ++i) {
     all[0].samples.push_back({8 * i, 7, channels[i], 0, 255});
     all[1].samples.push_back({8 * i, 7, i == 3 ? 0x1fu : i, 0, 255});
     all[2].samples.push_back({16 * i, 15, channels[i], 0, 65535});
     all[3].samples.push_back({32 * i, 31, channels[i] | 0xc0, kMinusOne, kOne});
+    all[6].samples.push_back({16 * i, 15, channels[i] | 0xc0, kMinusOne, kOne});
   }
   all[4].samples.push_back({0, 15, 0xc0, kMinusOne, kOne});
   all[5].samples.push_back({0, 31, 0xc0, kMinusOne, kOne});
