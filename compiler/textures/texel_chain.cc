@@ -147,6 +147,21 @@ void WeighColors(std::span<Texel> texels, bool divide) {
   }
 }
 
+Texel MeanTexel(std::span<const Texel> texels, bool alpha_is_opacity) {
+  std::array<double, 4> sum{};
+  double weights = 0;
+  for (const Texel& texel : texels) {
+    const double weight = alpha_is_opacity ? double{texel[3]} + double{kLeastOpacity} : 1.0;
+    for (size_t c = 0; c < 3; ++c) sum[c] += weight * double{texel[c]};
+    sum[3] += double{texel[3]};
+    weights += weight;
+  }
+  Texel mean;
+  for (size_t c = 0; c < 3; ++c) mean[c] = static_cast<float>(sum[c] / weights);
+  mean[3] = static_cast<float>(sum[3] / static_cast<double>(texels.size()));
+  return mean;
+}
+
 void BuildLevels(ir::Texture& chain, bool alpha_is_opacity) {
   const bool weigh =
       alpha_is_opacity &&

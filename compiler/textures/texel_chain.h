@@ -24,6 +24,8 @@ ir::SamplerState SamplerFor(const TextureOptions& options);
 inline constexpr float kLeastOpacity = 0x1p-20f;
 // Multiplies colours by their opacity, or divides them by it.
 void WeighColors(std::span<ir::Texel> texels, bool divide);
+// Of at least one texel, colours weighed by alpha where it is opacity.
+ir::Texel MeanTexel(std::span<const ir::Texel> texels, bool alpha_is_opacity);
 
 // The levels below level 0, as many as there are; colours weighed by alpha where it is opacity.
 void BuildLevels(ir::Texture& chain, bool alpha_is_opacity);

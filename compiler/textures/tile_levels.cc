@@ -15,21 +15,9 @@ namespace {
 // The mean of the tiles alone: gutters would count some of them twice.
 ir::Texel MeanOfTiles(const ir::Texture::Level& level, const TilePackLayout& layout,
                       bool alpha_is_opacity) {
-  std::array<double, 4> sum{};
-  double weights = 0;
-  const size_t rows = size_t{layout.rows} * layout.tile_size;
-  for (size_t i = size_t{layout.gutter} * level.width; i < (layout.gutter + rows) * level.width;
-       ++i) {
-    const ir::Texel& texel = level.texels[i];
-    const double weight = alpha_is_opacity ? double{texel[3]} + double{kLeastOpacity} : 1.0;
-    for (size_t c = 0; c < 3; ++c) sum[c] += weight * double{texel[c]};
-    sum[3] += double{texel[3]};
-    weights += weight;
-  }
-  ir::Texel mean;
-  for (size_t c = 0; c < 3; ++c) mean[c] = static_cast<float>(sum[c] / weights);
-  mean[3] = static_cast<float>(sum[3] / static_cast<double>(rows * level.width));
-  return mean;
+  const size_t first = size_t{layout.gutter} * level.width;
+  const size_t texels = size_t{layout.rows} * layout.tile_size * level.width;
+  return MeanTexel(std::span(level.texels).subspan(first, texels), alpha_is_opacity);
 }
 
 TextureData BuildTexture(const Image& pack, const TilePackLayout& layout,
