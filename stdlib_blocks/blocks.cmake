@@ -18,9 +18,12 @@ set(TEXGRAPH_STDLIB_BLOCKS
   by_example/hex_tiling.glsl
   by_example/hex_tiling_normal.glsl
   by_example/pack_place.glsl
+  by_example/permutation_wang_tiles.glsl
   by_example/tile_index.glsl
   by_example/tile_map.glsl
+  by_example/wang_corners.glsl
   by_example/wang_tiles.glsl
+  by_example/wang_tiles_with_corners.glsl
   cellular/blend_tiles.glsl
   cellular/smooth_voronoi.glsl
   cellular/smooth_voronoi_mean.glsl

@@ -205,6 +205,10 @@ std::string_view WhatItHas(const Texture& texture) {
       return "\"tiles\"";
     case TextureKind::kTiling:
       return "a \"tiling\"";
+    case TextureKind::kCorners:
+      return "\"corners\"";
+    case TextureKind::kPermutation:
+      return "a \"permutation\"";
   }
   return {};
 }

@@ -141,7 +141,8 @@ uint32_t FirstEqualTexture(const Graph& graph, uint32_t index) {
   auto equal = [&](const Texture& a, const Texture& b) {
     // How a set of tiles is cut depends on those that are cut like it.
     if (a.kind == TextureKind::kTiles) return &a == &b;
-    const bool has_of = a.kind == TextureKind::kMeans || a.kind == TextureKind::kTiling;
+    const bool has_of = a.kind == TextureKind::kMeans || a.kind == TextureKind::kTiling ||
+                        a.kind == TextureKind::kCorners;
     return state(a) == state(b) && (!has_of || a.of == b.of);
   };
   uint32_t first = 0;

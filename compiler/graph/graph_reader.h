@@ -30,6 +30,8 @@ enum class TextureKey : uint8_t {
   kMeans,
   kTiles,
   kTiling,
+  kCorners,
+  kPermutation,
   kMask,
   kKey,
   kColorSpace,
@@ -57,7 +59,7 @@ enum class TextureKey : uint8_t {
   kCandidates,
   kWeight,
 };
-inline constexpr size_t kTextureKeyCount = 35;
+inline constexpr size_t kTextureKeyCount = 37;
 
 inline constexpr size_t kMaxNodes = 1'000'000;  // of a graph, those of its functions included
 
@@ -151,7 +153,9 @@ class GraphReader {
   void ReadTileColors(const TextureKeys& keys, Owner owner, Texture& texture);
   void ReadWhole(const DocumentNode* node, Owner owner, uint32_t least, uint32_t greatest,
                  uint32_t& out);
+  void ReadPermutation(const TextureKeys& keys, Owner owner, Texture& texture);
   void ResolveTiles(uint32_t index);
+  void ResolveCorners(uint32_t index);
   // resolve_textures.cc: what textures say of each other.
   void ResolveTextures();
   std::optional<uint32_t> FindTexture(const DocumentNode& node, Owner owner,

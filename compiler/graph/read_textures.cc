@@ -15,14 +15,15 @@ constexpr int kCoarsestLevel = 30;  // of a mip chain; no texture has more
 
 using Key = TextureKey;
 
-constexpr size_t kKindCount = 9;  // the first keys are those of the kinds, in TextureKind's order
+constexpr size_t kKindCount = 11;  // the first keys are those of the kinds, in TextureKind's order
 
 constexpr std::array<std::string_view, kTextureKeyCount> kTextureKeys = {
-    "file",          "layers",      "sheet",     "map",     "lists",       "sprites",    "means",
-    "tiles",         "tiling",      "mask",      "key",     "color_space", "alpha",      "filter",
-    "wrap",          "wrap_u",      "wrap_v",    "mipmaps", "max_level",   "grid",       "pack",
-    "edges",         "weights",     "legend",    "of",      "binding",     "cells",      "dithered",
-    "corner_colors", "edge_colors", "tile_size", "like",    "seed",        "candidates", "weight"};
+    "file",       "layers",   "sheet",         "map",         "lists",     "sprites", "means",
+    "tiles",      "tiling",   "corners",       "permutation", "mask",      "key",     "color_space",
+    "alpha",      "filter",   "wrap",          "wrap_u",      "wrap_v",    "mipmaps", "max_level",
+    "grid",       "pack",     "edges",         "weights",     "legend",    "of",      "binding",
+    "cells",      "dithered", "corner_colors", "edge_colors", "tile_size", "like",    "seed",
+    "candidates", "weight"};
 
 constexpr uint64_t Bit(TextureKey key) { return uint64_t{1} << static_cast<uint32_t>(key); }
 
@@ -45,7 +46,9 @@ constexpr std::array<uint64_t, kKindCount> kKeysOfKind = {
     Bit(Key::kTiles) | Bit(Key::kColorSpace) | Bit(Key::kAlpha) | Bit(Key::kFilter) |
         Bit(Key::kWrap) | Bit(Key::kCornerColors) | Bit(Key::kEdgeColors) | Bit(Key::kTileSize) |
         Bit(Key::kLike) | Bit(Key::kSeed) | Bit(Key::kCandidates) | Bit(Key::kWeight),
-    Bit(Key::kTiling) | Bit(Key::kCells) | Bit(Key::kSeed)};
+    Bit(Key::kTiling) | Bit(Key::kCells) | Bit(Key::kSeed),
+    Bit(Key::kCorners),
+    Bit(Key::kPermutation) | Bit(Key::kSeed)};
 
 const DocumentNode* At(const std::array<const DocumentNode*, kTextureKeyCount>& keys,
                        TextureKey key) {
@@ -104,6 +107,11 @@ void GraphReader::ReadTexture(const DocumentNode& node) {
         case TextureKind::kTiling:
           ReadTiling(node, keys, owner, texture);
           break;
+        case TextureKind::kCorners:
+          break;
+        case TextureKind::kPermutation:
+          ReadPermutation(keys, owner, texture);
+          break;
       }
       ReadSampling(keys, owner, texture);
     }
@@ -151,10 +159,10 @@ void GraphReader::CheckTextureKeys(const TextureKeys& keys, Owner owner, const T
     for (size_t k = 0; k < kTextureKeyCount; ++k) {
       if (k != kind && (kKeysOfKind[kind] >> k & 1)) others.push_back(kTextureKeys[k]);
     }
-    diagnostics_.Error(
-        DiagnosticKind::kUnknownKey, keys[i]->key_range,
-        fmt::format("{} with '{}' has no key '{}'; it may have {}", owner.Text(),
-                    kTextureKeys[kind], kTextureKeys[i], ListedQuoted(others, " and ")));
+    diagnostics_.Error(DiagnosticKind::kUnknownKey, keys[i]->key_range,
+                       fmt::format("{} with '{}' has no key '{}'; it may have {}", owner.Text(),
+                                   kTextureKeys[kind], kTextureKeys[i],
+                                   others.empty() ? "no other" : ListedQuoted(others, " and ")));
   }
 }
 
@@ -165,6 +173,7 @@ void GraphReader::ReadSampling(const TextureKeys& keys, Owner owner, Texture& te
     texture.alpha_is_opacity = false;
     return;
   }
+  if (texture.kind == TextureKind::kCorners) return;  // as its tiles
   if (texture.kind == TextureKind::kMeans) {
     texture.color_space = ColorSpace::kLinear;
     return;

@@ -98,6 +98,14 @@ void GraphReader::ReadTiling(const DocumentNode& node, const TextureKeys& keys, 
             texture.tiles.seed);
 }
 
+void GraphReader::ReadPermutation(const TextureKeys& keys, Owner owner, Texture& texture) {
+  texture.map.height = 1;
+  ReadWhole(keys[static_cast<size_t>(TextureKey::kPermutation)], owner, kMinPermutation,
+            kMaxMapSide, texture.map.width);
+  ReadWhole(keys[static_cast<size_t>(TextureKey::kSeed)], owner, 0, kMaxMapNumber,
+            texture.tiles.seed);
+}
+
 // Tiles that are cut like others, and tilings, name a set that stands for itself.
 void GraphReader::ResolveTiles(uint32_t index) {
   Texture& texture = graph_.textures[index];
@@ -130,6 +138,35 @@ void GraphReader::ResolveTiles(uint32_t index) {
   texture.tiles = other.tiles;
   texture.tiles.weight = weight;
   texture.wrap_v = other.wrap_v;
+}
+
+// The corners of a pack of Wang tiles, which may be cut like another: read as that one is.
+void GraphReader::ResolveCorners(uint32_t index) {
+  Texture& texture = graph_.textures[index];
+  if (texture.kind != TextureKind::kCorners) return;
+  const DocumentNode* node = texture_keys_[index][static_cast<size_t>(TextureKey::kCorners)];
+  if (!node) return;
+  const Owner owner{"texture", texture.name};
+  const std::optional<uint32_t> found = FindTexture(*node, owner);
+  if (!found) return;
+  const Texture& other = graph_.textures[*found];
+  // One that is cut like nothing was reported.
+  if (texture_keys_[*found][static_cast<size_t>(TextureKey::kLike)] && !other.of) return;
+  if (other.kind != TextureKind::kTiles || !other.tiles.has_edge_colors) {
+    diagnostics_
+        .Error(DiagnosticKind::kBadValue, node->range,
+               fmt::format("'{}' of {} names tiles with 'edge_colors', but '{}' is {}", node->key,
+                           owner.Text(), other.name,
+                           other.kind == TextureKind::kTiles ? "a set with colours at its corners"
+                                                             : KindText(other.kind)))
+        .AddNote(other.range, fmt::format("'{}' is here", other.name));
+    return;
+  }
+  texture.of = found;
+  texture.tiles = other.tiles;
+  texture.color_space = other.color_space;
+  texture.alpha_is_opacity = other.alpha_is_opacity;
+  texture.filter = other.filter;
 }
 
 }  // namespace texgraph::graph

@@ -33,6 +33,10 @@ std::string_view KindText(TextureKind kind) {
       return "a set of tiles";
     case TextureKind::kTiling:
       return "a tiling";
+    case TextureKind::kCorners:
+      return "a pack of corners";
+    case TextureKind::kPermutation:
+      return "a permutation";
   }
   return {};
 }
@@ -54,6 +58,8 @@ bool IsAllowed(TextureKind from, TextureKind to) {
     case TextureKind::kFile:
     case TextureKind::kMeans:
     case TextureKind::kTiling:
+    case TextureKind::kCorners:
+    case TextureKind::kPermutation:
       break;
   }
   return false;
@@ -122,6 +128,7 @@ void GraphReader::ResolveTextures() {
     ResolveTiles(i);
   }
   for (uint32_t i = 0; i < count; ++i) {
+    ResolveCorners(i);
     ResolveEdges(i);
     ResolveWeights(i);
   }
@@ -158,7 +165,8 @@ bool GraphReader::KnownKind(uint32_t index) const {
 void GraphReader::ResolveOf(uint32_t index) {
   Texture& texture = graph_.textures[index];
   const bool is_means = texture.kind == TextureKind::kMeans;
-  if ((!is_means && !texture.IsMap()) || texture.kind == TextureKind::kTiling) return;
+  if (!is_means && !texture.IsMap()) return;
+  if (texture.kind == TextureKind::kTiling || texture.kind == TextureKind::kPermutation) return;
   const DocumentNode* node =
       texture_keys_[index][static_cast<size_t>(is_means ? TextureKey::kMeans : TextureKey::kOf)];
   if (!node) return;

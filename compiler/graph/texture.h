@@ -52,6 +52,8 @@ enum class TextureKind : uint8_t {
   kMeans,
   kTiles,
   kTiling,
+  kCorners,
+  kPermutation,
 };
 
 std::string_view KindText(TextureKind kind);  // "a map"
@@ -98,6 +100,7 @@ struct SpriteMap {
 // Of maps and lists; with more numbers they cannot be constant.
 inline constexpr size_t kMaxConstantNumbers = 4096;
 inline constexpr uint32_t kMaxMapSide = 16384;
+inline constexpr uint32_t kMinPermutation = 2;
 inline constexpr uint64_t kMaxMapNumbers = uint64_t{1} << 26;
 inline constexpr uint64_t kMaxSpriteTexels = uint64_t{1} << 22;  // of 16 bytes
 inline constexpr uint32_t kMaxSpriteLayers = 64;
@@ -144,14 +147,14 @@ struct Texture {
   std::vector<double> weights;
 
   // Of kTiles the setting; those that are cut like others ("like") have theirs, but for `weight`.
-  // Of kTiling the seed.
+  // Of kTiling and kPermutation the seed, of kCorners those of its tiles.
   TileSetting tiles;
 
   // What a map's, the lists' or the sprites' numbers count ("of"), the map that means are of
-  // ("means"), the tiles of a tiling, or the tiles that these are cut like ("like"), as an index of
-  // the graph's textures.
+  // ("means"), the tiles of a tiling or of corners, or the tiles that these are cut like ("like"),
+  // as an index of the graph's textures.
   std::optional<uint32_t> of;
-  NumberMap map;  // kMap, kLists, kTiling
+  NumberMap map;  // kMap, kLists, kTiling, kPermutation
   std::vector<LegendColor> legend;
   SourceRange legend_range;
   bool is_constant = false;  // "binding": "constant"
@@ -161,7 +164,8 @@ struct Texture {
 
   bool IsMap() const {
     return kind == TextureKind::kMap || kind == TextureKind::kLists ||
-           kind == TextureKind::kSprites || kind == TextureKind::kTiling;
+           kind == TextureKind::kSprites || kind == TextureKind::kTiling ||
+           kind == TextureKind::kPermutation;
   }
   bool HasPatterns() const { return kind == TextureKind::kLayers || kind == TextureKind::kSheet; }
   // Of layers and sheets.

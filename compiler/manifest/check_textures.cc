@@ -9,6 +9,7 @@
 #include "compiler/manifest/graph_textures.h"
 #include "compiler/manifest/pictures.h"
 #include "compiler/textures/maps.h"
+#include "compiler/textures/permutation.h"
 #include "compiler/textures/sheets.h"
 #include "compiler/textures/tile_map.h"
 
@@ -90,6 +91,8 @@ void CheckTextures(graph::Graph& graph, const std::string& folder,
       texture.map =
           textures::MakeTileMap(TileLayoutOf(graph.textures[*texture.of]), texture.map.width,
                                 texture.map.height, texture.tiles.seed);
+    } else if (texture.kind == graph::TextureKind::kPermutation) {
+      texture.map = textures::MakePermutation(texture.map.width, texture.tiles.seed);
     } else if (texture.kind != graph::TextureKind::kMap) {
       CheckPictures(texture, folder, roots, diagnostics);
     } else if (!texture.files.empty()) {

@@ -13,6 +13,7 @@
 #include "compiler/textures/sheets.h"
 #include "compiler/textures/sprites.h"
 #include "compiler/textures/tile_levels.h"
+#include "compiler/textures/tile_pictures.h"
 
 namespace texgraph::manifest {
 namespace {
@@ -42,8 +43,10 @@ class Maker {
     const graph::Texture& texture = graph_.textures[index];
     std::optional<uint32_t> pictures = index;
     if (texture.kind == TextureKind::kMeans) pictures = graph::PatternsOf(graph_, index);
-    if (texture.kind == TextureKind::kTiles) ++tile_readers_[SetOf(index)].count;
-    if (texture.IsMap() || texture.kind == TextureKind::kTiles || !pictures) return;
+    const bool is_tiles =
+        texture.kind == TextureKind::kTiles || texture.kind == TextureKind::kCorners;
+    if (is_tiles) ++tile_readers_[SetOf(PackOf(index))].count;
+    if (texture.IsMap() || is_tiles || !pictures) return;
     ++readers_[graph::FirstEqualTexture(graph_, *pictures)].count;
   }
 
@@ -57,8 +60,10 @@ class Maker {
       case TextureKind::kMap:
       case TextureKind::kLists:
       case TextureKind::kTiling:
+      case TextureKind::kPermutation:
         return textures::MapTexture(texture.map);
       case TextureKind::kTiles:
+      case TextureKind::kCorners:
         return MakeTiles(texture, index);
       case TextureKind::kSprites:
         return MakeSprites(texture);
@@ -122,6 +127,11 @@ class Maker {
                                     texture.name, texture.range, diagnostics_);
   }
 
+  // The tiles whose corners these are, or itself.
+  uint32_t PackOf(uint32_t index) const {
+    const graph::Texture& texture = graph_.textures[index];
+    return texture.kind == TextureKind::kCorners ? *texture.of : index;
+  }
   // The tiles that those of this texture are cut like, or itself.
   uint32_t SetOf(uint32_t index) const { return graph_.textures[index].of.value_or(index); }
   bool IsOfSet(uint32_t index, uint32_t set) const {
@@ -157,13 +167,15 @@ class Maker {
   }
 
   std::optional<TextureData> MakeTiles(const graph::Texture& texture, uint32_t index) {
-    const uint32_t set = SetOf(index);
+    const uint32_t shown = PackOf(index);
+    const uint32_t set = SetOf(shown);
     const Tiles tiles = TilesOf(set);
     if (!tiles) return std::nullopt;
     size_t pack = 0;
-    for (uint32_t t = 0; t < index; ++t) pack += IsOfSet(t, set);
-    return textures::MakeTileTexture(tiles->packs[pack], tiles->layout, OptionsOf(texture),
-                                     texture.name, texture.range, diagnostics_);
+    for (uint32_t t = 0; t < shown; ++t) pack += IsOfSet(t, set);
+    const auto make = shown == index ? textures::MakeTileTexture : textures::MakeCornerTexture;
+    return make(tiles->packs[pack], tiles->layout, OptionsOf(texture), texture.name, texture.range,
+                diagnostics_);
   }
 
   // The means of the patterns that a map, perhaps by way of lists, leads to.

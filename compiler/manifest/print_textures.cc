@@ -123,9 +123,13 @@ class TexturePrinter {
         files.push_back(JsonQuoted(PreparedName(graph_, index_, layer)));
     }
     json_.Raw("files", JsonList(files));
-    if (texture_.files.empty() && texture_.kind != TextureKind::kMeans) return;
+    const bool is_corners = texture_.kind == TextureKind::kCorners;
+    const bool is_means = texture_.kind == TextureKind::kMeans;
+    if (texture_.files.empty() && !is_means && !is_corners) return;
     json_.OpenObject("prepared_from");
-    if (texture_.kind == TextureKind::kMeans) {
+    if (is_corners) {
+      json_.String("tiles", graph_.textures[*texture_.of].name);
+    } else if (is_means) {
       json_.String("map", graph_.textures[*texture_.of].name);
     } else {
       json_.Raw("files", JsonList(Sources()));
@@ -217,8 +221,9 @@ class TexturePrinter {
     if (texture_.is_3d) wraps.push_back(JsonQuoted(WrapName(texture_.wrap_w)));
     json_.Raw("wrap", JsonList(wraps));
     json_.Bool("mipmaps", texture_.mipmaps);
-    const bool is_pack =
-        texture_.pack == graph::TexturePack::kAtlas || texture_.kind == TextureKind::kTiles;
+    const bool is_pack = texture_.pack == graph::TexturePack::kAtlas ||
+                         texture_.kind == TextureKind::kTiles ||
+                         texture_.kind == TextureKind::kCorners;
     if (data_ && is_pack) {
       json_.Integer("max_level", static_cast<long long>(data_->levels.size()) - 1);
     } else if (texture_.max_level) {

@@ -2,12 +2,14 @@
 #include "compiler/textures/tile_labels.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdlib>
 #include <utility>
 
 #include "compiler/textures/tile_cut.h"
 #include "compiler/textures/tile_patches.h"
+#include "compiler/textures/tile_seams.h"
 
 namespace texgraph::textures {
 namespace {
@@ -24,12 +26,15 @@ uint32_t SideAt(uint32_t size, uint32_t scale) { return (size + (1u << scale) - 
 class TileLabeller {
  public:
   TileLabeller(const TileSample& sample, const TileTask& task)
-      : sample_(sample), task_(task), patches_(task.patches) {}
+      : sample_(sample), task_(task), patches_(task.patches) {
+    if (task.kind == TileKind::kWang) CutCorners();
+  }
 
   LabelledTile Label();
   int64_t Seams(uint32_t scale) { return WholeCut(scale).Energy(); }
 
  private:
+  void CutCorners();
   TileCut WholeCut(uint32_t scale);
   bool IsNew(const TexelPlace& middle) const;
   std::vector<TexelPlace> BestMiddles(const TileCut& cut) const;
@@ -49,12 +54,29 @@ class TileLabeller {
   uint32_t BorderAt(uint32_t x, uint32_t y, uint32_t side) const;
   // In texels of the scale; nothing for those that are not at a border.
   bool IsFixed(uint32_t x, uint32_t y, uint32_t side, uint8_t& label) const;
+  bool IsInCorner(uint32_t x, uint32_t y, uint8_t& label) const;
 
   const TileSample& sample_;
   const TileTask& task_;
   std::vector<TexelPlace> patches_;
   uint32_t scale_ = 0;
+  // Of Wang tiles SeamAtCorner: left bottom, right bottom, left top, right top.
+  std::array<std::vector<uint32_t>, 4> corners_;
 };
+
+constexpr std::array<uint8_t, 2> kLying = {0, 2};  // bottom, top
+constexpr std::array<uint8_t, 2> kStanding = {3, 1};
+
+// What is around a corner depends on the two edges that meet there alone, so that a pack of corners
+// can show it.
+void TileLabeller::CutCorners() {
+  for (uint32_t corner = 0; corner < 4; ++corner) {
+    const bool right = corner % 2 == 1;
+    const bool top = corner / 2 == 1;
+    const TilePair pair{sample_, 0, task_.size, patches_[kLying[top]], patches_[kStanding[right]]};
+    corners_[corner] = SeamAtCorner(pair, right, top, BorderDepth(task_.size));
+  }
+}
 
 uint8_t TileLabeller::Reaching(uint32_t x, uint32_t y) const {
   const uint32_t reach = TileReach(task_.size);
@@ -96,15 +118,29 @@ uint32_t TileLabeller::BorderAt(uint32_t x, uint32_t y, uint32_t side) const {
     if (up < depth) return lies;
     return across < depth ? stands : kNoBorder;
   }
-  // Edges end at corners: the seam between two of them is free within a wedge.
+  // Edges end at corners: beyond these the seam between two of them is free within a wedge.
   if (up == 0 || (up < depth && across > 2 * up)) return lies;
   return across < depth && up > 2 * across ? stands : kNoBorder;
 }
 
+// In texels of the tile.
+bool TileLabeller::IsInCorner(uint32_t x, uint32_t y, uint8_t& label) const {
+  const bool right = 2 * x >= task_.size;
+  const bool top = 2 * y >= task_.size;
+  const uint32_t across = right ? task_.size - 1 - x : x;
+  const uint32_t up = top ? task_.size - 1 - y : y;
+  const std::vector<uint32_t>& seam = corners_[right + 2 * top];
+  if (up >= seam.size() || across >= seam.size()) return false;
+  label = across < seam[up] ? kStanding[right] : kLying[top];
+  return true;
+}
+
 bool TileLabeller::IsFixed(uint32_t x, uint32_t y, uint32_t side, uint8_t& label) const {
+  const bool is_wang = task_.kind == TileKind::kWang;
+  if (is_wang && IsInCorner(Middle(x), Middle(y), label)) return true;
   const uint32_t border = BorderAt(x, y, side);
   if (border == kNoBorder) return false;
-  if (task_.kind == TileKind::kWang) {
+  if (is_wang) {
     label = static_cast<uint8_t>(border);
     return true;
   }

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "compiler/textures/texel_chain.h"
+#include "compiler/textures/tile_pictures.h"
 
 namespace texgraph::textures {
 namespace {
@@ -20,7 +21,18 @@ ir::Texel MeanOfTiles(const ir::Texture::Level& level, const TilePackLayout& lay
   return MeanTexel(std::span(level.texels).subspan(first, texels), alpha_is_opacity);
 }
 
-TextureData BuildTexture(const Image& pack, const TilePackLayout& layout,
+// A level 0 of the picture.
+ir::Texture::Level BaseLevel(const Image& picture, bool srgb) {
+  ir::Texture::Level base;
+  base.width = picture.width;
+  base.height = picture.height;
+  base.texels.reserve(size_t{picture.width} * picture.height);
+  AppendPicture(picture, srgb, base.texels);
+  return base;
+}
+
+// `corners`: Wei's second pack instead of the tiles themselves.
+TextureData BuildTexture(const Image& pack, const TilePackLayout& layout, bool corners,
                          const TextureOptions& options) {
   const uint32_t coarsest = TileMaxLevel(layout.tile_size);
   uint32_t last = options.mipmaps ? coarsest : 0;
@@ -32,15 +44,14 @@ TextureData BuildTexture(const Image& pack, const TilePackLayout& layout,
   flat.wrap_v = layout.gutter > 0 ? ir::Wrap::kClamp : ir::Wrap::kRepeat;
   ir::Texture chain;
   chain.sampler = SamplerFor(flat);
-  ir::Texture::Level& base = chain.levels.emplace_back();
-  base.width = pack.width;
-  base.height = pack.height;
-  base.texels.reserve(size_t{pack.width} * pack.height);
-  AppendPicture(pack, options.srgb, base.texels);
+  ir::Texture::Level tiles = BaseLevel(pack, options.srgb);
+  ir::Texel mean{};
+  if (last > 0 && last == coarsest) mean = MeanOfTiles(tiles, layout, options.alpha_is_opacity);
+  chain.levels.push_back(corners ? BaseLevel(MakeWeiCornerPack(pack, layout), options.srgb)
+                                 : std::move(tiles));
   if (last > 0) BuildLevels(chain, options.alpha_is_opacity);
   chain.levels.resize(last + 1);
   if (last > 0 && last == coarsest) {
-    const ir::Texel mean = MeanOfTiles(chain.levels[0], layout, options.alpha_is_opacity);
     for (ir::Texel& texel : chain.levels[last].texels) texel = mean;
   }
   return EncodeLevels(chain, FormatFor({&pack, 1}, options));
@@ -52,9 +63,12 @@ uint32_t TileMaxLevel(uint32_t tile_size) {
   return static_cast<uint32_t>(std::bit_width(tile_size)) - 1;
 }
 
-std::optional<TextureData> MakeTileTexture(const Image& pack, const TilePackLayout& layout,
-                                           const TextureOptions& options, std::string_view name,
-                                           SourceRange range, Diagnostics& diagnostics) {
+namespace {
+
+std::optional<TextureData> CheckAndBuild(const Image& pack, const TilePackLayout& layout,
+                                         bool corners, const TextureOptions& options,
+                                         std::string_view name, SourceRange range,
+                                         Diagnostics& diagnostics) {
   if (pack.width != layout.width() || pack.height != layout.height()) {
     diagnostics.Error(
         DiagnosticKind::kBadImage, range,
@@ -68,11 +82,25 @@ std::optional<TextureData> MakeTileTexture(const Image& pack, const TilePackLayo
     return std::nullopt;
   }
   try {
-    return BuildTexture(pack, layout, options);
+    return BuildTexture(pack, layout, corners, options);
   } catch (const std::bad_alloc&) {
     ReportNoMemory(name, range, diagnostics);
     return std::nullopt;
   }
+}
+
+}  // namespace
+
+std::optional<TextureData> MakeTileTexture(const Image& pack, const TilePackLayout& layout,
+                                           const TextureOptions& options, std::string_view name,
+                                           SourceRange range, Diagnostics& diagnostics) {
+  return CheckAndBuild(pack, layout, false, options, name, range, diagnostics);
+}
+
+std::optional<TextureData> MakeCornerTexture(const Image& pack, const TilePackLayout& layout,
+                                             const TextureOptions& options, std::string_view name,
+                                             SourceRange range, Diagnostics& diagnostics) {
+  return CheckAndBuild(pack, layout, true, options, name, range, diagnostics);
 }
 
 }  // namespace texgraph::textures

@@ -27,4 +27,10 @@ std::optional<TextureData> MakeTileTexture(const Image& pack, const TilePackLayo
                                            const TextureOptions& options, std::string_view name,
                                            SourceRange range, Diagnostics& diagnostics);
 
+// Its second pack, MakeWeiCornerPack of `pack`: the coarsest level is the mean of the tiles of
+// `pack`, so that both fade to the same. Of Wang tiles; `pack` is as large as the layout says.
+std::optional<TextureData> MakeCornerTexture(const Image& pack, const TilePackLayout& layout,
+                                             const TextureOptions& options, std::string_view name,
+                                             SourceRange range, Diagnostics& diagnostics);
+
 }  // namespace texgraph::textures

@@ -127,6 +127,56 @@ int64_t SeamFromCorner(const TilePair& pair, bool right, bool top) {
   return row.back();
 }
 
+std::vector<uint32_t> SeamAtCorner(const TilePair& pair, bool right, bool top, int64_t depth) {
+  const auto cost = [&](int64_t across, int64_t up) {
+    const int64_t x = right ? pair.side - 1 - across : across;
+    const int64_t y = top ? pair.side - 1 - up : up;
+    return pair.sample.Difference(pair.scale, Moved(pair.a, x, y), Moved(pair.b, x, y));
+  };
+  struct Step {
+    int64_t sum = 0;    // what the path up to here costs
+    uint32_t from = 0;  // texels of `b` in the row before
+  };
+  std::vector<std::vector<Step>> rows{{Step{}}};
+  std::vector<int64_t> before(static_cast<size_t>(depth));  // cost(i, row before)
+  for (int64_t i = 0; i < depth; ++i) before[static_cast<size_t>(i)] = cost(i, 0);
+  for (int64_t up = 1; up < depth; ++up) {
+    std::vector<Step>& row = rows.emplace_back();
+    const std::vector<Step>& last = rows[rows.size() - 2];
+    std::vector<int64_t> between{0};  // sums of what it costs to pass between the two rows
+    std::vector<int64_t> costs;
+    for (int64_t i = 0; i < depth; ++i) {
+      costs.push_back(cost(i, up));
+      between.push_back(between.back() + costs.back() + before[static_cast<size_t>(i)]);
+    }
+    for (int64_t count = 0; count <= std::min(2 * up + 1, depth); ++count) {
+      const auto at = static_cast<size_t>(count);
+      Step step{std::numeric_limits<int64_t>::max() / 2, 0};
+      for (size_t from = 0; from < std::min(last.size(), at + 1) && 2 * count >= up; ++from) {
+        const int64_t sum = last[from].sum + between[at] - between[from];
+        if (sum < step.sum) step = {sum, static_cast<uint32_t>(from)};
+      }
+      // Beyond the rows and columns all is of the nearer edge outside of the wedge.
+      if (count > 0 && (count < depth || depth > 2 * up)) {
+        step.sum += cost(count - 1, up) + cost(count, up);
+      }
+      if (up + 1 == depth && 2 * count < depth) step.sum += cost(count, up) + cost(count, depth);
+      row.push_back(step);
+    }
+    before = std::move(costs);
+  }
+  size_t at = 0;
+  for (size_t i = 1; i < rows.back().size(); ++i) {
+    if (rows.back()[i].sum < rows.back()[at].sum) at = i;
+  }
+  std::vector<uint32_t> path(rows.size());
+  for (size_t row = rows.size(); row-- > 0;) {
+    path[row] = static_cast<uint32_t>(at);
+    at = rows[row][at].from;
+  }
+  return path;
+}
+
 int64_t MismatchAround(const TilePair& pair, int64_t reach) {
   int64_t sum = 0;
   for (int64_t y = -reach; y < reach; ++y) {

@@ -28,6 +28,12 @@ std::vector<uint32_t> SeamPath(const TilePair& pair, bool stands, int64_t length
 // The cheapest path from a corner of the tile (`right`, `top`) to its middle.
 int64_t SeamFromCorner(const TilePair& pair, bool right, bool top);
 
+// The cheapest path from a corner of the tile between an edge that lies, with patch `a`, and one
+// that stands, with `b`, through the wedge between half and twice their distances: for `depth` rows
+// away from the edge that lies, how many texels, counted from the edge that stands, are of `b`.
+// None of the first row is, and no row has fewer than the one before it, or more than `depth`.
+std::vector<uint32_t> SeamAtCorner(const TilePair& pair, bool right, bool top, int64_t depth);
+
 // The mean difference within `reach` texels of their common (0, 0), times the texels of a seam from
 // a corner to the middle.
 int64_t MismatchAround(const TilePair& pair, int64_t reach);

@@ -117,6 +117,11 @@ std::vector<NamedPicture> Pictures() {
       {"tiled_floor/wear.png", MakeWear},
       {"transition_tiling/ground.png", MakeShore},
       {"volumetric_trees/trees.png", MakeTrees},
+      {"wei_tiles/corner_dots.png", MakeCornerDots},
+      {"wei_tiles/edge_dot_corners.png", MakeEdgeDotCorners},
+      {"wei_tiles/edge_dots.png", MakeEdgeDots},
+      {"wei_tiles/paths.png", MakePaths},
+      {"wei_tiles/paths_row_major.png", MakePathsRowMajor},
   };
 }
 

@@ -98,5 +98,10 @@ Picture MakeLawn();
 Picture MakeGravel();
 Picture MakeGravelHeight();
 Picture MakeGravelRelief();
+Picture MakePaths();
+Picture MakePathsRowMajor();
+Picture MakeEdgeDots();
+Picture MakeEdgeDotCorners();
+Picture MakeCornerDots();
 
 }  // namespace texgraph::pictures

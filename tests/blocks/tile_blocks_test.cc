@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <random>
 #include <set>
 #include <string>
 #include <vector>
@@ -228,6 +229,141 @@ TEST(TileBlocksTest, NothingRepeats) {
         ASSERT_FALSE(std::equal(first.begin() + shift, first.end(), second.begin())) << shift;
       }
     }
+  }
+}
+
+// ---- The paper's own way.
+
+std::vector<int> ShuffledTable(int size, uint32_t seed) {
+  std::vector<int> table;
+  for (int i = 0; i < size; ++i) table.push_back(i);
+  std::mt19937 random(seed);
+  for (size_t i = table.size(); i > 1; --i) std::swap(table[i - 1], table[random() % i]);
+  return table;
+}
+
+Tiling TilePermuted(const std::vector<int>& table, int lying, int standing,
+                    const std::vector<Vector>& at, int period) {
+  const ir::Texture pack = PackOf(standing * standing, lying * lying);
+  const ir::Texture hash = MapOf({std::vector<double>(table.begin(), table.end())});
+  auto outputs = RunBlock("permutation_wang_tiles", {{"tiles", pack},
+                                                     {"table", hash},
+                                                     {"uv", Vectors(at)},
+                                                     {"tiling", Vectors({{1, 1}})},
+                                                     {"colors", CellsOf({{lying, standing}})},
+                                                     {"period", CellsOf({{period, period}})}});
+  Tiling tiling;
+  for (size_t i = 0; i < at.size(); ++i) {
+    tiling.places.push_back({static_cast<int>(outputs["color"].Float(i, 0)),
+                             static_cast<int>(outputs["color"].Float(i, 1))});
+    tiling.numbers.push_back(outputs["index"].Int(i));
+  }
+  return tiling;
+}
+
+// Equation 2 as it is printed, with tables that are as large as the plane, smaller, larger and of
+// no power of two.
+TEST(PermutationWangTilesTest, DrawsTheColoursOfEquation2) {
+  for (const auto& [size, m, kh, kv] :
+       {std::tuple(16, 16, 2, 2), {8, 16, 3, 2}, {40, 10, 2, 4}, {23, 12, 1, 3}}) {
+    const std::vector<int> table = ShuffledTable(size, static_cast<uint32_t>(size + m));
+    const auto hash = [&](int i) { return table[static_cast<size_t>(i % size)]; };
+    const std::vector<Vector> at = Middles(-5, -4, 20, 20);
+    const Tiling tiling = TilePermuted(table, kh, kv, at, m);
+    for (size_t i = 0; i < at.size(); ++i) {
+      const int oh = Wrapped(static_cast<int>(std::floor(at[i][0])), m);
+      const int ov = Wrapped(static_cast<int>(std::floor(at[i][1])), m);
+      const std::array<int, 4> edges = EdgesAt(tiling.places[i]);
+      ASSERT_EQ(edges[2], hash(hash(oh) + ov) % kh);                // south
+      ASSERT_EQ(edges[1], hash((oh + 1) % m + hash(2 * ov)) % kv);  // east
+      ASSERT_EQ(edges[3], hash(hash(oh) + (ov + 1) % m) % kh);      // north
+      ASSERT_EQ(edges[0], hash(oh + hash(2 * ov)) % kv);            // west
+      ASSERT_EQ(tiling.numbers[i], tiling.places[i][0] + tiling.places[i][1] * kv * kv);
+    }
+  }
+}
+
+// Why it is not the default: the colours of standing edges come again after half as many rows as
+// the table has numbers, and all their rows are one sequence that is moved along. A table that is
+// twice the plane has no such period in it.
+TEST(PermutationWangTilesTest, RepeatsAfterHalfTheTable) {
+  for (const auto& [m, size] :
+       {std::pair(32, 8), {32, 16}, {32, 32}, {32, 64}, {32, 128}, {256, 256}, {256, 512}}) {
+    for (uint32_t seed : {1u, 2u}) {
+      const std::vector<int> table = ShuffledTable(size, seed);
+      const Tiling tiling = TilePermuted(table, 2, 2, Middles(0, 0, 32, m), m);
+      const auto standing = [&](int row, int column) {
+        return EdgesAt(tiling.places[static_cast<size_t>(row % m * 32 + column)])[0];
+      };
+      // The least number of rows after which all standing edges come again.
+      int found = 1;
+      const auto repeats = [&](int rows) {
+        for (int i = 0; i < 32 * m; ++i) {
+          if (standing(i / 32, i % 32) != standing(i / 32 + rows, i % 32)) return false;
+        }
+        return true;
+      };
+      while (found < m && !repeats(found)) ++found;
+      if (size > m) {
+        EXPECT_EQ(found, m) << size;
+      } else {
+        EXPECT_LE(found, size / 2) << size;
+        EXPECT_EQ(size / 2 % found, 0) << size;
+      }
+      if (size != 32) continue;
+      for (int row = 0; row < m; ++row) {
+        bool rotated = false;
+        for (int by = 0; by < 32 && !rotated; ++by) {
+          rotated = true;
+          for (int i = 0; i < 32; ++i) rotated &= standing(row, i) == standing(0, (i + by) % 32);
+        }
+        EXPECT_TRUE(rotated) << row;
+      }
+    }
+  }
+}
+
+// Around a corner of `wang_tiles` the pack of corners has the edges that meet there (equation 10),
+// and counts within a sixteenth of a tile. Here a tile has one texel.
+TEST(WangCornersTest, ShowsTheEdgesThatMeet) {
+  constexpr int kLying = 2;
+  constexpr int kStanding = 3;
+  static const char* const kTour[] = {"00", "01", "11", "10", "02", "21", "12", "22", "20"};
+  const auto index = [&](int first, int second) {
+    for (int i = 0; i < 9; ++i) {
+      if (kTour[i][0] - '0' == first && kTour[i][1] - '0' == second) return i;
+    }
+    return -1;
+  };
+  for (const auto& [period, seed] : {std::pair(0, 0), {5, 9}}) {
+    const Values colors = CellsOf({{kLying, kStanding}});
+    const std::vector<std::pair<int32_t, int32_t>> periods = {{period, period}};
+    const ir::Texture pack = PackOf(kStanding * kStanding, kLying * kLying);
+    const Tiling tiling = Tile("wang_tiles", pack, colors, Middles(-4, -4, 10, 10), periods, seed);
+    const auto edges = [&](int x, int y) {
+      return EdgesAt(tiling.places[static_cast<size_t>(10 * (y + 4) + x + 4)]);
+    };
+    const ir::Texture corners = PackOf(kLying * kLying, kStanding * kStanding);
+    std::vector<Vector> at;
+    for (int i = 0; i < 64; ++i) at.push_back({i % 8 - 3 - 0.01, i / 8 - 3 - 0.01});
+    for (double away : {0.06, 0.09375, 0.125, 0.3}) at.push_back({away, 0.01});
+    auto outputs = RunBlock("wang_corners", {{"corners", corners},
+                                             {"uv", Vectors(at)},
+                                             {"tiling", Vectors({{1, 1}})},
+                                             {"colors", colors},
+                                             {"period", CellsOf(periods)},
+                                             {"seed", Ints({seed})}});
+    for (int i = 0; i < 64; ++i) {
+      // The tile left below the corner, and its neighbours.
+      const int x = i % 8 - 4;
+      const int y = i / 8 - 4;
+      const auto k = static_cast<size_t>(i);
+      ASSERT_EQ(outputs["color"].Float(k, 0), index(edges(x, y)[3], edges(x + 1, y)[3]));
+      ASSERT_EQ(outputs["color"].Float(k, 1), index(edges(x, y)[1], edges(x, y + 1)[1]));
+      ASSERT_EQ(outputs["weight"].Float(k), 1);
+    }
+    const double weights[] = {1, 0.5, 0, 0};
+    for (size_t i = 0; i < 4; ++i) EXPECT_NEAR(outputs["weight"].Float(64 + i), weights[i], 1e-5);
   }
 }
 

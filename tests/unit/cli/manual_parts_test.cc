@@ -79,14 +79,18 @@ std::map<std::string, std::vector<Rest>> RestOfPages() {
                               "pattern": 0)") +
                          Sum("e", "a", "b") + Sum("f", "c", "d") + Sum("g", "e", "f"),
                      "g"),
-        TexturesWith("",
-                     grid + Node("a", "corner_tiles", R"("tiles": "grass")") +
-                         Node("b", "corner_tiles", R"("tiles": "grass_normal")") +
-                         Node("c", "wang_tiles", R"("tiles": "sand")") +
-                         Node("d", "tile_map", R"("tiles": "grass", "map": "plan")") +
-                         Sum("e", "a.color", "b.color") + Sum("f", "c.color", "d.color") +
-                         Sum("g", "e", "f"),
-                     "g"),
+        TexturesWith(
+            "",
+            grid + Node("a", "corner_tiles", R"("tiles": "grass")") +
+                Node("b", "corner_tiles", R"("tiles": "grass_normal")") +
+                Node("c", "wang_tiles", R"("tiles": "sand")") +
+                Node("d", "tile_map", R"("tiles": "grass", "map": "plan")") +
+                Node("h", "wang_tiles_with_corners",
+                     R"("tiles": "sand", "corners": "sand_corners")") +
+                Node("i", "permutation_wang_tiles", R"("tiles": "sand", "table": "hashes")") +
+                Sum("e", "a.color", "b.color") + Sum("f", "c.color", "d.color") +
+                Sum("j", "h.color", "i.color") + Sum("k", "e", "f") + Sum("g", "j", "k"),
+            "g"),
         TexturesWith(ground + R"(, "leaf_patterns": {"layers": ["g0.png", "g1.png", "g2.png",
                      "g3.png"]}, )",
                      maps, "g"),

@@ -146,6 +146,38 @@ TEST(TileLevelsTest, WangTilesAreFilteredNoWorseThanWeisAre) {
   EXPECT_LE(FilteringError(pack, set->layout, reference, 0, 0.05), 0.246);
 }
 
+// Wei's corners: a texel of a level is the mean of the texels below it there, too, and the last
+// level is that of the tiles themselves. Other colours of edges than two have another mean.
+TEST(TileLevelsTest, CornersEndAtTheMeanOfTheTiles) {
+  const TilePackLayout layout = LayOutTiles(TileKind::kWang, {1, 3}, 8);
+  const Image pack = test::RandomImage(layout.width(), layout.height(), 1, 16, 2);
+  const Image around = MakeWeiCornerPack(pack, layout);
+  TextureOptions options;
+  options.srgb = options.alpha_is_opacity = false;
+  options.as_float = true;
+  Diagnostics diagnostics;
+  const auto data = MakeCornerTexture(pack, layout, options, "corners", {}, diagnostics);
+  ASSERT_TRUE(data);
+  const ir::Texture corners = ToTexture(*data);
+  const ir::Texture tiles = TileTexture(pack, layout);
+  ASSERT_EQ(corners.levels.size(), 4u);
+  ASSERT_EQ(corners.levels[0].width, 8u);
+  ASSERT_EQ(corners.levels[0].height, 72u);
+  for (uint32_t y = 0; y < 36; ++y) {
+    for (uint32_t x = 0; x < 4; ++x) {
+      double sum = 0;
+      for (uint32_t i = 0; i < 4; ++i) sum += test::UpAt(around, 2 * x + i % 2, 2 * y + i / 2, 0);
+      ASSERT_NEAR(double{corners.levels[1].texels[y * 4 + x][0]}, sum / (4 * 65535.0), 1e-6);
+    }
+  }
+  for (const ir::Texel& texel : corners.levels[3].texels)
+    ASSERT_EQ(texel[0], tiles.levels[3].texels[0][0]);
+  double mean = 0;
+  for (uint32_t i = 0; i < 8 * 72; ++i) mean += test::UpAt(around, i % 8, i / 8, 0);
+  EXPECT_GT(std::abs(mean / (576 * 65535.0) - double{tiles.levels[3].texels[0][0]}), 1e-3);
+  EXPECT_FALSE(MakeCornerTexture(around, layout, options, "corners", {}, diagnostics));
+}
+
 // A texel of a level is the mean of the texels of the sample's numbers below it, of one tile.
 TEST(TileLevelsTest, TexelsAreMeansOfTheirTile) {
   const TilePackLayout layout = LayOutTiles(TileKind::kCorner, {4, 4}, 8);

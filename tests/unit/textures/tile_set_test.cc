@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <set>
 
 #include "compiler/textures/tile_pictures.h"
@@ -116,6 +117,32 @@ TEST(TileSetTest, WangTilesContinueOneAnother) {
       }
     }
   }
+}
+
+// Wei's pack of corners shows what is around a corner by the two edges that meet there: it is the
+// same in all tiles that have them, an eighth of a tile far.
+TEST(TileSetTest, WangTilesAgreeAtCorners) {
+  constexpr uint32_t kSize = 24;
+  const Image sample = StrokesImage(67, 59, 1, 16, 3);
+  const auto set = Make({&sample, 1}, SmallTiles(TileKind::kWang, {2, 3}, kSize));
+  ASSERT_TRUE(set);
+  std::map<std::array<uint32_t, 3>, std::set<std::vector<uint32_t>>> seen;
+  for (const TileColors& tile : AllTiles(set->layout)) {
+    for (uint32_t corner = 0; corner < 4; ++corner) {
+      const uint32_t right = corner % 2;
+      const uint32_t top = corner / 2;
+      std::vector<uint32_t> texels;
+      for (uint32_t i = 0; i < 9; ++i) {
+        const uint32_t x = right == 1 ? kSize - 1 - i % 3 : i % 3;
+        const uint32_t y = top == 1 ? kSize - 1 - i / 3 : i / 3;
+        texels.push_back(
+            TileTexel(set->packs[0], set->layout, PackedTile(set->layout, tile), x, y, 0));
+      }
+      seen[{corner, tile[2 * top], tile[right == 1 ? 1 : 3]}].insert(texels);
+    }
+  }
+  EXPECT_EQ(seen.size(), 24u);
+  for (const auto& [key, texels] : seen) EXPECT_EQ(texels.size(), 1u);
 }
 
 // Every texel of every map is one of the sample's, from the same place in all maps.
@@ -414,6 +441,32 @@ void AddSteps(const Image& tiling, const TilePackLayout& layout, bool upwards, i
   }
 }
 
+// The mean step (order 1) or bend at each distance from the border, up to the middle of the tiles.
+std::vector<double> MeansByDepth(const std::vector<Image>& tilings, uint32_t size, int order) {
+  std::vector<double> sums(size / 2 + 1);
+  std::vector<double> counts(sums.size());
+  for (const Image& tiling : tilings) {
+    const int64_t side = tiling.width;
+    for (int64_t i = 0; i < 8 * side * side; ++i) {
+      const int64_t across = i / 8 % side;
+      const auto at = [&](int64_t place) {
+        const auto channel = static_cast<uint32_t>(i % 4);
+        const int64_t along = i / 8 / side;
+        return static_cast<double>(i % 8 < 4 ? UpAt(tiling, along, place, channel)
+                                             : UpAt(tiling, place, along, channel));
+      };
+      const double step = at(across) - at(across - 1);
+      const double bend = at(across + 1) - at(across) - step;
+      const int64_t place = across % size;
+      const auto depth = static_cast<size_t>(std::min(place, size - place));
+      sums[depth] += std::abs(order == 1 ? step : bend);
+      counts[depth] += 1;
+    }
+  }
+  for (size_t depth = 0; depth < sums.size(); ++depth) sums[depth] /= counts[depth];
+  return sums;
+}
+
 // O22: steps and bends over borders of tiles are like those inside.
 TEST(TileSetTest, BordersOfTilesAreNotSeen) {
   constexpr uint32_t kSets = 6;
@@ -440,6 +493,15 @@ TEST(TileSetTest, BordersOfTilesAreNotSeen) {
         // have. 1.63: one time in a hundred.
         EXPECT_LT(Distance(border, inside), 1.63 / std::sqrt(kSets * kSize * 4));
       }
+    }
+    // Nor does any other row stand out, that in which a border's own texels end among them.
+    if (kind == TileKind::kWang) continue;
+    for (int order : {1, 2}) {
+      const std::vector<double> means = MeansByDepth(tilings, kSize, order);
+      const double mean =
+          std::reduce(means.begin(), means.end()) / static_cast<double>(means.size());
+      for (size_t depth = 0; depth < means.size(); ++depth)
+        EXPECT_LE(means[depth], 1.1 * mean) << "order " << order << ", depth " << depth;
     }
   }
 }

@@ -1,0 +1,61 @@
+// dots_of_corners: a fragment shader, compiled by texgraphc 0.1.0.
+#version 330
+
+// Inputs
+in vec2 uv;
+
+// Textures
+uniform sampler2D dot_corners;
+
+// Outputs
+layout(location = 0) out vec4 out_color;
+
+// hash (random/hash.glsl)
+uvec2 hash(uvec2 value) {
+  uvec2 state = value * 747796405u + 2891336453u;
+  uvec2 word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+  return (word >> 22u) ^ word;
+}
+
+// hash (random/hash.glsl)
+uint hash(uint value) {
+  uint state = value * 747796405u + 2891336453u;
+  uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+  return (word >> 22u) ^ word;
+}
+
+// tile_index (by_example/tile_index.glsl)
+int tile_index(int first, int second) {
+  int low;
+  if (second > 0) {
+    low = first * first + 2 * second - 1;
+  } else {
+    low = first * (first + 2);
+  }
+  return first < second ? 2 * first + second * second : low;
+}
+
+// wang_corners (by_example/wang_corners.glsl)
+vec4 wang_corners(sampler2D corners, vec2 uv, vec2 uv_dx, vec2 uv_dy) {
+  vec2 p = uv * 6.0;
+  ivec2 corner = ivec2(floor(p + 0.5));
+  vec2 away = p - vec2(corner);
+  ivec2 before = corner - 1;
+  uvec2 rows = hash(uvec2(uint(before.y), uint(corner.y)) + 2131687100u);
+  uint own = hash(uint(corner.x) + rows.y);
+  int right = int(own & 1u);
+  int left = int(hash(uint(before.x) + rows.y) & 1u);
+  int top = int((own >> 16u) & 1u);
+  int bottom = int((hash(uint(corner.x) + rows.x) >> 16u) & 1u);
+  ivec2 place = ivec2(tile_index(left, right), tile_index(bottom, top));
+  vec2 product = (vec2(place) + (away + 1.0)) * 0.25;
+  vec4 color = textureGrad(corners, product, uv_dx * 1.5, uv_dy * 1.5);
+  return color;
+}
+
+void main() {
+  vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
+  // around: wang_corners (by_example/wang_corners.glsl)
+  vec4 around_color = wang_corners(dot_corners, uv, uv_dx, uv_dy);
+  out_color = around_color;
+}

@@ -1,0 +1,59 @@
+// paths_row_major: a fragment shader, compiled by texgraphc 0.1.0.
+#version 450 core
+
+// Inputs
+layout(location = 0) in vec2 uv;
+
+// Textures
+layout(location = 0, binding = 0) uniform sampler2D paths;
+layout(location = 1, binding = 1) uniform sampler2D plan;
+
+// Outputs
+layout(location = 0) out vec4 out_color;
+layout(location = 1) out float out_roughness;
+
+// wrap_cell (tiles/wrap_cell.glsl)
+ivec2 wrap_cell(ivec2 cell) {
+  ivec2 flip = cell >> 31;
+  return (((cell ^ flip) % 12) ^ flip) + (flip & 12);
+}
+
+// pack_place (by_example/pack_place.glsl)
+vec2 pack_place(sampler2D tiles, ivec2 place, vec2 local, vec2 local_dx, vec2 local_dy,
+    out vec2 result_dx, out vec2 result_dy) {
+  vec2 at = (vec2(place) + local) * 0.25;
+  vec2 size = vec2(textureSize(tiles, 0));
+  float part = 4.0 * size.x / (4.0 * size.y);
+  vec2 at_dx = local_dx * 0.25;
+  vec2 at_dy = local_dy * 0.25;
+  at = vec2(at.x, 0.5 + (at.y - 0.5) * part);
+  result_dx = vec2(at_dx.x, at_dx.y * part);
+  result_dy = vec2(at_dy.x, at_dy.y * part);
+  return at;
+}
+
+// tile_map (by_example/tile_map.glsl)
+vec4 tile_map(sampler2D tiles, vec2 uv, vec2 uv_dx, vec2 uv_dy) {
+  vec2 p = uv * 6.0;
+  vec2 whole = floor(p);
+  vec2 local = p - whole;
+  ivec2 cell = wrap_cell(ivec2(whole));
+  int index = int(texelFetch(plan, cell, 0).x);
+  int which = clamp(index, 0, 15);
+  vec2 local_dx = uv_dx * 6.0;
+  vec2 local_dy = uv_dy * 6.0;
+  vec2 place_dx, place_dy;
+  vec2 place = pack_place(tiles, ivec2(which & 3, which >> 2), local, local_dx, local_dy, place_dx,
+      place_dy);
+  vec4 seen = textureGrad(tiles, place, place_dx, place_dy);
+  vec4 color = index < 0 ? vec4(0.0) : seen;
+  return color;
+}
+
+void main() {
+  vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
+  // garden: tile_map (by_example/tile_map.glsl)
+  vec4 garden_color = tile_map(paths, uv, uv_dx, uv_dy);
+  out_color = garden_color;
+  out_roughness = 0.9;
+}
