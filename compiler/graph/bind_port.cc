@@ -209,6 +209,14 @@ std::string_view WhatItHas(const Texture& texture) {
       return "\"corners\"";
     case TextureKind::kPermutation:
       return "a \"permutation\"";
+    case TextureKind::kNoise:
+      return "\"noise\"";
+    case TextureKind::kGaussian:
+      return "a \"gaussian\" picture";
+    case TextureKind::kTable:
+      return "a \"table\"";
+    case TextureKind::kColorMap:
+      return "a \"color_map\"";
   }
   return {};
 }

@@ -136,13 +136,13 @@ uint32_t FirstEqualTexture(const Graph& graph, uint32_t index) {
     return std::tie(t.files, t.kind, t.masks, t.key, t.color_space, t.alpha_is_opacity, t.filter,
                     t.wrap_u, t.wrap_v, t.wrap_w, t.mipmaps, t.max_level, t.pack, t.grid,
                     t.match_edges, t.edge_groups, t.weights, t.map, t.legend, t.is_constant,
-                    t.sprites, t.dithered, t.tiles);
+                    t.sprites, t.dithered, t.tiles, t.noise, t.deviations);
   };
   auto equal = [&](const Texture& a, const Texture& b) {
     // How a set of tiles is cut depends on those that are cut like it.
     if (a.kind == TextureKind::kTiles) return &a == &b;
     const bool has_of = a.kind == TextureKind::kMeans || a.kind == TextureKind::kTiling ||
-                        a.kind == TextureKind::kCorners;
+                        a.kind == TextureKind::kCorners || a.kind == TextureKind::kTable;
     return state(a) == state(b) && (!has_of || a.of == b.of);
   };
   uint32_t first = 0;

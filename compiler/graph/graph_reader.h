@@ -32,6 +32,10 @@ enum class TextureKey : uint8_t {
   kTiling,
   kCorners,
   kPermutation,
+  kNoise,
+  kGaussian,
+  kTable,
+  kColorMap,
   kMask,
   kKey,
   kColorSpace,
@@ -58,8 +62,11 @@ enum class TextureKey : uint8_t {
   kSeed,
   kCandidates,
   kWeight,
+  kSize,
+  kSecond,
+  kDeviations,
 };
-inline constexpr size_t kTextureKeyCount = 37;
+inline constexpr size_t kTextureKeyCount = 44;
 
 inline constexpr size_t kMaxNodes = 1'000'000;  // of a graph, those of its functions included
 
@@ -156,6 +163,15 @@ class GraphReader {
   void ReadPermutation(const TextureKeys& keys, Owner owner, Texture& texture);
   void ResolveTiles(uint32_t index);
   void ResolveCorners(uint32_t index);
+  // read_noise.cc
+  void ReadNoise(const TextureKeys& keys, Owner owner, Texture& texture);
+  void ReadSpectrum(const DocumentNode& node, size_t field, Texture& texture);
+  bool ReadPart(const DocumentNode& node, Texture& texture, NoisePart& part);
+  std::optional<NoisePart::Kind> ReadPartKind(const DocumentNode& node, Owner owner,
+                                              std::span<const DocumentNode* const> keys);
+  bool ReadLobes(const DocumentNode& node, double most, std::array<double, 2>& out);
+  bool ReadPartNumber(const DocumentNode* node, double least, double greatest, double& out);
+  void ResolveTable(uint32_t index);
   // resolve_textures.cc: what textures say of each other.
   void ResolveTextures();
   std::optional<uint32_t> FindTexture(const DocumentNode& node, Owner owner,

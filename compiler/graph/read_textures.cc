@@ -15,15 +15,16 @@ constexpr int kCoarsestLevel = 30;  // of a mip chain; no texture has more
 
 using Key = TextureKey;
 
-constexpr size_t kKindCount = 11;  // the first keys are those of the kinds, in TextureKind's order
+constexpr size_t kKindCount = 15;  // the first keys are those of the kinds, in TextureKind's order
 
 constexpr std::array<std::string_view, kTextureKeyCount> kTextureKeys = {
-    "file",       "layers",   "sheet",         "map",         "lists",     "sprites", "means",
-    "tiles",      "tiling",   "corners",       "permutation", "mask",      "key",     "color_space",
-    "alpha",      "filter",   "wrap",          "wrap_u",      "wrap_v",    "mipmaps", "max_level",
-    "grid",       "pack",     "edges",         "weights",     "legend",    "of",      "binding",
-    "cells",      "dithered", "corner_colors", "edge_colors", "tile_size", "like",    "seed",
-    "candidates", "weight"};
+    "file",        "layers",    "sheet",   "map",         "lists",      "sprites",  "means",
+    "tiles",       "tiling",    "corners", "permutation", "noise",      "gaussian", "table",
+    "color_map",   "mask",      "key",     "color_space", "alpha",      "filter",   "wrap",
+    "wrap_u",      "wrap_v",    "mipmaps", "max_level",   "grid",       "pack",     "edges",
+    "weights",     "legend",    "of",      "binding",     "cells",      "dithered", "corner_colors",
+    "edge_colors", "tile_size", "like",    "seed",        "candidates", "weight",   "size",
+    "second",      "deviations"};
 
 constexpr uint64_t Bit(TextureKey key) { return uint64_t{1} << static_cast<uint32_t>(key); }
 
@@ -48,7 +49,11 @@ constexpr std::array<uint64_t, kKindCount> kKeysOfKind = {
         Bit(Key::kLike) | Bit(Key::kSeed) | Bit(Key::kCandidates) | Bit(Key::kWeight),
     Bit(Key::kTiling) | Bit(Key::kCells) | Bit(Key::kSeed),
     Bit(Key::kCorners),
-    Bit(Key::kPermutation) | Bit(Key::kSeed)};
+    Bit(Key::kPermutation) | Bit(Key::kSeed),
+    Bit(Key::kNoise) | Bit(Key::kSecond) | Bit(Key::kSize) | Bit(Key::kSeed),
+    Bit(Key::kGaussian) | Bit(Key::kColorSpace),
+    Bit(Key::kTable),
+    Bit(Key::kColorMap) | Bit(Key::kColorSpace) | Bit(Key::kAlpha) | Bit(Key::kDeviations)};
 
 const DocumentNode* At(const std::array<const DocumentNode*, kTextureKeyCount>& keys,
                        TextureKey key) {
@@ -111,6 +116,20 @@ void GraphReader::ReadTexture(const DocumentNode& node) {
           break;
         case TextureKind::kPermutation:
           ReadPermutation(keys, owner, texture);
+          break;
+        case TextureKind::kNoise:
+          ReadNoise(keys, owner, texture);
+          break;
+        case TextureKind::kGaussian:
+          ReadFile(*At(keys, Key::kGaussian), owner, texture);
+          break;
+        case TextureKind::kTable:
+          texture.is_array = true;
+          break;
+        case TextureKind::kColorMap:
+          ReadFile(*At(keys, Key::kColorMap), owner, texture);
+          ReadWhole(At(keys, Key::kDeviations), owner, 2, kMaxDeviations, texture.deviations);
+          texture.is_array = true;
           break;
       }
       ReadSampling(keys, owner, texture);
@@ -178,6 +197,15 @@ void GraphReader::ReadSampling(const TextureKeys& keys, Owner owner, Texture& te
     texture.color_space = ColorSpace::kLinear;
     return;
   }
+  if (texture.kind == TextureKind::kNoise || texture.kind == TextureKind::kTable) {
+    texture.color_space = ColorSpace::kLinear;
+    texture.alpha_is_opacity = false;
+  }
+  if (texture.kind == TextureKind::kTable || texture.kind == TextureKind::kColorMap) {
+    texture.wrap_u = texture.wrap_v = TextureWrap::kClamp;
+    texture.mipmaps = false;
+  }
+  if (texture.kind == TextureKind::kNoise || texture.kind == TextureKind::kTable) return;
   if (At(keys, Key::kMask)) ReadMasks(*At(keys, Key::kMask), owner, texture);
   if (At(keys, Key::kKey)) ReadKey(*At(keys, Key::kKey), owner, texture);
   ReadWord<ColorSpace>(
@@ -191,6 +219,7 @@ void GraphReader::ReadSampling(const TextureKeys& keys, Owner owner, Texture& te
   ReadWord<TextureFilter>(
       At(keys, Key::kFilter), owner,
       {{"linear", TextureFilter::kLinear}, {"nearest", TextureFilter::kNearest}}, texture.filter);
+  if (texture.kind == TextureKind::kGaussian) texture.alpha_is_opacity = false;
   if (texture.kind == TextureKind::kTiles) return;  // its wrap is that of the sample
   for (TextureKey key : {Key::kWrap, Key::kWrapU, Key::kWrapV}) {
     TextureWrap& out = key == Key::kWrapV ? texture.wrap_v : texture.wrap_u;

@@ -37,6 +37,14 @@ std::string_view KindText(TextureKind kind) {
       return "a pack of corners";
     case TextureKind::kPermutation:
       return "a permutation";
+    case TextureKind::kNoise:
+      return "noise";
+    case TextureKind::kGaussian:
+      return "a Gaussian picture";
+    case TextureKind::kTable:
+      return "a table";
+    case TextureKind::kColorMap:
+      return "a colour map";
   }
   return {};
 }
@@ -60,6 +68,10 @@ bool IsAllowed(TextureKind from, TextureKind to) {
     case TextureKind::kTiling:
     case TextureKind::kCorners:
     case TextureKind::kPermutation:
+    case TextureKind::kNoise:
+    case TextureKind::kGaussian:
+    case TextureKind::kTable:
+    case TextureKind::kColorMap:
       break;
   }
   return false;
@@ -126,6 +138,7 @@ void GraphReader::ResolveTextures() {
   for (uint32_t i = 0; i < count; ++i) {
     ResolveOf(i);
     ResolveTiles(i);
+    ResolveTable(i);
   }
   for (uint32_t i = 0; i < count; ++i) {
     ResolveCorners(i);

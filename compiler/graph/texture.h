@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The section "textures" of a graph: pictures, patterns that are packed together, sets of tiles
-// made of a sample, and maps of whole numbers. What a texture says of others ("of", "edges",
-// "weights", "means") is resolved and checked; what stands in files is not looked at, except that a
-// map's picture is decoded later (compiler/prepare).
+// made of a sample, noise and what it is drawn with, and maps of whole numbers. What a texture says
+// of others ("of", "edges", "weights", "means") is resolved and checked; what stands in files is
+// not looked at, except that a map's picture is decoded later (compiler/prepare).
 #pragma once
 
 #include <array>
@@ -54,6 +54,10 @@ enum class TextureKind : uint8_t {
   kTiling,
   kCorners,
   kPermutation,
+  kNoise,
+  kGaussian,
+  kTable,
+  kColorMap,
 };
 
 std::string_view KindText(TextureKind kind);  // "a map"
@@ -72,6 +76,32 @@ struct TileSetting {
   uint32_t candidates = 256;  // kMinTileCandidates to kMaxTileCandidates
   double weight = 1;          // of this map where seams are searched, 0 to kMaxWeight
   bool operator==(const TileSetting&) const = default;
+};
+
+// A part of a spectrum: textures::SpectrumPart. Frequencies in cycles across the exemplar,
+// directions in degrees.
+struct NoisePart {
+  enum class Kind : uint8_t { kBand, kLobes, kPowerLaw, kPainted };
+  Kind kind = Kind::kBand;
+  std::array<double, 2> frequency{};  // of a band the first
+  double bandwidth = 1;
+  double exponent = 0;
+  double lowest = 1;
+  double highest = 0;  // 0: no limit
+  double direction = 0;
+  double stretch = 1;
+  double spread = 0;  // 0: alike in all directions
+  double share = 1;
+  size_t file = 0;  // of a painted one, in Texture::files
+  bool operator==(const NoisePart&) const = default;
+};
+
+struct NoiseSetting {
+  uint32_t size = 256;  // texels a side, a power of two
+  uint32_t seed = 0;
+  // Of each noise the sum of these; the second may have none: then it is 0.
+  std::array<std::vector<NoisePart>, 2> spectra;
+  bool operator==(const NoiseSetting&) const = default;
 };
 
 struct LegendColor {  // "#3a7d2c", in the picture's own numbers
@@ -111,6 +141,12 @@ inline constexpr uint32_t kMaxTileSize = 4096;
 inline constexpr uint32_t kMaxTileColors = 4;
 inline constexpr uint32_t kMinTileCandidates = 8;
 inline constexpr uint32_t kMaxTileCandidates = 1024;
+inline constexpr uint32_t kMinNoiseSize = 16;
+inline constexpr uint32_t kMaxNoiseSize = 2048;
+inline constexpr size_t kMaxNoiseParts = 16;
+inline constexpr double kMinBandwidth = 0.25;
+inline constexpr double kMaxStretch = 64;
+inline constexpr uint32_t kMaxDeviations = 8;
 inline constexpr int32_t kMaxMapNumber = 1 << 24;  // floats hold whole numbers up to here
 
 struct Texture {
@@ -150,9 +186,12 @@ struct Texture {
   // Of kTiling and kPermutation the seed, of kCorners those of its tiles.
   TileSetting tiles;
 
+  NoiseSetting noise;       // kNoise
+  uint32_t deviations = 7;  // kColorMap: standard deviations along each axis, 2 to kMaxDeviations
+
   // What a map's, the lists' or the sprites' numbers count ("of"), the map that means are of
-  // ("means"), the tiles of a tiling or of corners, or the tiles that these are cut like ("like"),
-  // as an index of the graph's textures.
+  // ("means"), the tiles of a tiling or of corners, the tiles that these are cut like ("like"), or
+  // the picture that a table turns noise back to ("table"), as an index of the graph's textures.
   std::optional<uint32_t> of;
   NumberMap map;  // kMap, kLists, kTiling, kPermutation
   std::vector<LegendColor> legend;

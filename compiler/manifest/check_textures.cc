@@ -7,6 +7,7 @@
 
 #include "compiler/base/files.h"
 #include "compiler/manifest/graph_textures.h"
+#include "compiler/manifest/noise_textures.h"
 #include "compiler/manifest/pictures.h"
 #include "compiler/textures/maps.h"
 #include "compiler/textures/permutation.h"
@@ -70,6 +71,11 @@ void CheckPictures(const graph::Texture& texture, const std::string& folder, con
       textures::CheckTileSet(TileOptionsOf(texture), info->width, info->height, texture.name,
                              texture.file_ranges[i], diagnostics);
     }
+    if (texture.kind == graph::TextureKind::kColorMap) {
+      textures::CheckColorMap(info->width, info->height, MapOptionsOf(texture), texture.name,
+                              texture.file_ranges[i], diagnostics);
+    }
+    if (texture.kind == graph::TextureKind::kNoise) continue;  // each spectrum is as it is
     if (!first) first = info;
     if (info->width == first->width && info->height == first->height) continue;
     diagnostics.Error(

@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include "compiler/manifest/noise_textures.h"
 #include "compiler/manifest/pictures.h"
 #include "compiler/textures/maps.h"
 #include "compiler/textures/means.h"
@@ -30,6 +31,7 @@ using textures::TextureData;
 
 using Pictures = std::shared_ptr<const std::vector<textures::Image>>;
 using Tiles = std::shared_ptr<const textures::TileSet>;
+using Exemplar = std::shared_ptr<const textures::GaussianExemplar>;
 
 class Maker {
  public:
@@ -46,7 +48,11 @@ class Maker {
     const bool is_tiles =
         texture.kind == TextureKind::kTiles || texture.kind == TextureKind::kCorners;
     if (is_tiles) ++tile_readers_[SetOf(PackOf(index))].count;
-    if (texture.IsMap() || is_tiles || !pictures) return;
+    const bool is_gaussian =
+        texture.kind == TextureKind::kGaussian || texture.kind == TextureKind::kTable;
+    if (is_gaussian) ++exemplar_readers_[ExemplarOf(index)].count;
+    const bool is_noise = texture.kind == TextureKind::kNoise || is_gaussian;
+    if (texture.IsMap() || is_tiles || is_noise || !pictures) return;
     ++readers_[graph::FirstEqualTexture(graph_, *pictures)].count;
   }
 
@@ -69,6 +75,13 @@ class Maker {
         return MakeSprites(texture);
       case TextureKind::kMeans:
         return MakeMeans(texture, index);
+      case TextureKind::kNoise:
+        return MakeNoiseTexture(texture, folder_, roots_, diagnostics_);
+      case TextureKind::kGaussian:
+      case TextureKind::kTable:
+        return MakeExemplar(texture, index);
+      case TextureKind::kColorMap:
+        return MakeColorMap(texture, index);
     }
     return std::nullopt;
   }
@@ -178,6 +191,39 @@ class Maker {
                 diagnostics_);
   }
 
+  // Of a Gaussian picture, and of the table that turns it back: the first of equal pictures.
+  uint32_t ExemplarOf(uint32_t index) const {
+    return graph::FirstEqualTexture(graph_, graph_.textures[index].of.value_or(index));
+  }
+
+  std::optional<TextureData> MakeExemplar(const graph::Texture& texture, uint32_t index) {
+    const uint32_t first = ExemplarOf(index);
+    const auto turn = [&]() -> Exemplar {
+      auto made = MakeGaussian(graph_.textures[first], folder_, roots_, diagnostics_);
+      if (!made) return nullptr;
+      return std::make_shared<const textures::GaussianExemplar>(std::move(*made));
+    };
+    const auto reader = exemplar_readers_.find(first);
+    Exemplar exemplar;
+    if (reader == exemplar_readers_.end()) {
+      exemplar = turn();
+    } else {
+      ExemplarReader& kept = reader->second;
+      if (!kept.exemplar) kept.exemplar = turn();
+      exemplar = --kept.count == 0 ? std::exchange(kept.exemplar, nullptr) : kept.exemplar;
+    }
+    if (!exemplar) return std::nullopt;
+    return texture.kind == TextureKind::kTable ? textures::TableTexture(*exemplar)
+                                               : textures::NoiseTexture(*exemplar);
+  }
+
+  std::optional<TextureData> MakeColorMap(const graph::Texture& texture, uint32_t index) {
+    const Pictures pictures = PicturesOf(index);
+    if (!pictures) return std::nullopt;
+    return textures::MakeColorMap((*pictures)[0], OptionsOf(texture), MapOptionsOf(texture),
+                                  texture.name, texture.range, diagnostics_);
+  }
+
   // The means of the patterns that a map, perhaps by way of lists, leads to.
   std::optional<TextureData> MakeMeans(const graph::Texture& texture, uint32_t index) {
     const std::optional<uint32_t> found = graph::PatternsOf(graph_, index);
@@ -214,12 +260,18 @@ class Maker {
     Tiles tiles;
   };
 
+  struct ExemplarReader {
+    uint32_t count = 0;
+    Exemplar exemplar;
+  };
+
   const graph::Graph& graph_;
   const std::string& folder_;
   const Roots& roots_;
   Diagnostics& diagnostics_;
-  std::map<uint32_t, TileReader> tile_readers_;  // by the set
-  std::map<uint32_t, Reader> readers_;           // by the first of equal textures
+  std::map<uint32_t, TileReader> tile_readers_;          // by the set
+  std::map<uint32_t, ExemplarReader> exemplar_readers_;  // by the first of equal pictures
+  std::map<uint32_t, Reader> readers_;                   // by the first of equal textures
 };
 
 }  // namespace

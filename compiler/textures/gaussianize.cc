@@ -291,11 +291,18 @@ TextureData TableTexture(const GaussianExemplar& exemplar) {
   chain.sampler.wrap_u = chain.sampler.wrap_v = chain.sampler.wrap_w = ir::Wrap::kClamp;
   chain.sampler.mip_filter = ir::MipFilter::kNone;
   ir::Texture::Level& base = chain.levels.emplace_back();
+  chain.is_array = true;
   base.width = exemplar.columns;
   base.height = exemplar.rows;
-  base.texels.resize(size_t{base.width} * base.height);
+  base.depth = static_cast<uint32_t>(exemplar.table.size());
   for (size_t a = 0; a < exemplar.table.size(); ++a) {
-    for (size_t i = 0; i < base.texels.size(); ++i) base.texels[i][a] = exemplar.table[a][i];
+    for (const float value : exemplar.table[a]) {
+      ir::Texel& texel = base.texels.emplace_back();
+      for (size_t c = 0; c < exemplar.table.size(); ++c) {
+        const double mean = a == 0 ? exemplar.mean[c] : 0;
+        texel[c] = static_cast<float>(mean + exemplar.axes[a][c] * value);
+      }
+    }
   }
   return EncodeLevels(chain, TexelFormat::kRgba16F);
 }

@@ -60,8 +60,10 @@ std::optional<GaussianExemplar> Gaussianize(std::span<const Plane> channels,
 std::array<double, kMaxGaussianChannels> TurnBack(const GaussianExemplar& exemplar,
                                                   std::span<const double> noise, double level);
 
-// The noise as halves with all levels, repeat; the table as halves, clamp, linear, one level: axis
-// a in channel a, 0 for those there are not.
+// The noise as halves with all levels, repeat: axis a in channel a, 0 for those there are not.
+// The table as halves, clamp, linear, one level: an array with a layer for each axis, which has
+// what that axis adds to the channels, the first with the mean. So a channel of the picture is the
+// sum of the layers, each read at its own noise, and a shader needs to know no axes.
 TextureData NoiseTexture(const GaussianExemplar& exemplar);
 TextureData TableTexture(const GaussianExemplar& exemplar);
 

@@ -141,35 +141,6 @@ TextureData MapFilter::Make() {
   return data;
 }
 
-bool CheckOptions(const Image& map, const MapFilterOptions& options, std::string_view name,
-                  SourceRange range, Diagnostics& diagnostics) {
-  if (options.sigmas < 2 || options.sigmas > kMaxMapSigmas) {
-    diagnostics.Error(DiagnosticKind::kValueRange, range,
-                      fmt::format("the colour map '{}' has {} standard deviations; it can have 2 "
-                                  "to {}",
-                                  Printable(name), options.sigmas, kMaxMapSigmas));
-    return false;
-  }
-  if (!(options.greatest > 0 && options.greatest <= 1)) {
-    diagnostics.Error(
-        DiagnosticKind::kValueRange, range,
-        fmt::format("the greatest standard deviation of the colour map '{}' is {}; it can be above "
-                    "0, up to 1",
-                    Printable(name), options.greatest));
-    return false;
-  }
-  if (map.width > kMaxColorMap || map.height > kMaxColorMap) {
-    diagnostics.Error(
-        DiagnosticKind::kSizeLimit, range,
-        fmt::format("the colour map '{}' has {} x {} pixels; it can have up to {} x "
-                    "{}",
-                    Printable(name), map.width, map.height, kMaxColorMap, kMaxColorMap));
-    return false;
-  }
-  return CheckPixels(uint64_t{map.width} * map.height * options.sigmas * options.sigmas, name,
-                     range, diagnostics);
-}
-
 }  // namespace
 
 double SigmaAt(const MapFilterOptions& options, uint32_t index) {
@@ -186,10 +157,38 @@ double SigmaIndex(const MapFilterOptions& options, double sigma) {
   return index + std::min((sigma * sigma - low * low) / (high * high - low * low), 1.0);
 }
 
+bool CheckColorMap(uint32_t width, uint32_t height, const MapFilterOptions& options,
+                   std::string_view name, SourceRange range, Diagnostics& diagnostics) {
+  if (options.sigmas < 2 || options.sigmas > kMaxMapSigmas) {
+    diagnostics.Error(DiagnosticKind::kValueRange, range,
+                      fmt::format("the colour map '{}' has {} standard deviations; it can have 2 "
+                                  "to {}",
+                                  Printable(name), options.sigmas, kMaxMapSigmas));
+    return false;
+  }
+  if (!(options.greatest > 0 && options.greatest <= 1)) {
+    diagnostics.Error(
+        DiagnosticKind::kValueRange, range,
+        fmt::format("the greatest standard deviation of the colour map '{}' is {}; it can be above "
+                    "0, up to 1",
+                    Printable(name), options.greatest));
+    return false;
+  }
+  if (width > kMaxColorMap || height > kMaxColorMap) {
+    diagnostics.Error(DiagnosticKind::kSizeLimit, range,
+                      fmt::format("the colour map '{}' has {} x {} pixels; it can have up to {} x "
+                                  "{}",
+                                  Printable(name), width, height, kMaxColorMap, kMaxColorMap));
+    return false;
+  }
+  return CheckPixels(uint64_t{width} * height * options.sigmas * options.sigmas, name, range,
+                     diagnostics);
+}
+
 std::optional<TextureData> MakeColorMap(const Image& map, const TextureOptions& texture,
                                         const MapFilterOptions& options, std::string_view name,
                                         SourceRange range, Diagnostics& diagnostics) {
-  if (!CheckOptions(map, options, name, range, diagnostics)) return std::nullopt;
+  if (!CheckColorMap(map.width, map.height, options, name, range, diagnostics)) return std::nullopt;
   try {
     return MapFilter(map, texture, options).Make();
   } catch (const std::bad_alloc&) {

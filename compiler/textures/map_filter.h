@@ -39,9 +39,14 @@ inline uint32_t MapLayer(const MapFilterOptions& options, uint32_t x, uint32_t y
   return y * options.sigmas + x;
 }
 
+// False, and reported at `range`, naming `name`: kValueRange for options, kSizeLimit for a map that
+// is too large.
+bool CheckColorMap(uint32_t width, uint32_t height, const MapFilterOptions& options,
+                   std::string_view name, SourceRange range, Diagnostics& diagnostics);
+
 // An array of sigmas^2 layers without mip levels: clamp, linear. Of `texture` counts whether the
 // numbers are sRGB, whether alpha is opacity (colours are weighed by it) and `as_float`; 16 bits as
-// in MakeTexture. Reported, naming `name`: kValueRange for options, kSizeLimit, kOutOfMemory.
+// in MakeTexture. Reported, naming `name`: all of CheckColorMap, kOutOfMemory.
 std::optional<TextureData> MakeColorMap(const Image& map, const TextureOptions& texture,
                                         const MapFilterOptions& options, std::string_view name,
                                         SourceRange range, Diagnostics& diagnostics);

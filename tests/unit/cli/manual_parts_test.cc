@@ -91,6 +91,13 @@ std::map<std::string, std::vector<Rest>> RestOfPages() {
                 Sum("e", "a.color", "b.color") + Sum("f", "c.color", "d.color") +
                 Sum("j", "h.color", "i.color") + Sum("k", "e", "f") + Sum("g", "j", "k"),
             "g"),
+        TexturesWith("",
+                     grid + ImageOf("a", "waves") + ImageOf("b", "streaks") +
+                         ImageOf("c", "drawn") + ImageOf("d", "lawn_noise") +
+                         ImageOf("e", "lawn_table") + ImageOf("f", "palette") + Sum("g", "a", "b") +
+                         Sum("h", "c", "d") + Sum("i", "e", "f") + Sum("j", "g", "h") +
+                         Sum("k", "i", "j"),
+                     "k"),
         TexturesWith(ground + R"(, "leaf_patterns": {"layers": ["g0.png", "g1.png", "g2.png",
                      "g3.png"]}, )",
                      maps, "g"),
@@ -153,7 +160,7 @@ class ManualParts : public testing::Test {
           "slice2.png",   "slice3.png",   "moss.jpg",          "moss_mask.jpg", "a.jpg",
           "b.jpg",        "a.png",        "leaf_on_black.jpg", "ground_0.png",  "ground_1.png",
           "ground_2.png", "ground_3.png", "leaf0.png",         "leaf1.png",     "leaf2.png",
-          "leaf3.png"}) {
+          "leaf3.png",    "lawn.png",     "palette.png",       "spectrum.png"}) {
       Write(name, {{40, 90, 200, 255}, {120, 60, 20, 128}});
     }
     // Samples of tiles.

@@ -159,6 +159,46 @@ TEST(ReadTextures, SpritesOnWholeCellsTouchOneCell) {
   EXPECT_EQ(read.graph->textures[0].sprites.layers, 1u);
 }
 
+TEST(ReadTextures, Noise) {
+  const ReadGraphText read = ReadSection(R"({
+      "a": { "noise": [{ "band": 12, "direction": -30, "stretch": 3, "spread": 20, "share": 0.5 },
+                       { "painted": "b.png" }], "second": { "lobes": [3, -4] }, "size": 64, "seed": 9 },
+      "p": { "noise": { "power_law": 2, "highest": 20 } },
+      "q": { "noise": [{ "power_law": 2.0, "highest": 20, "lowest": 1 }] },
+      "g": { "gaussian": "a.png" }, "h": { "gaussian": "a.png" }, "t": { "table": "h" },
+      "m": { "color_map": "a.png" }, "n": { "color_map": "a.png", "deviations": 5 } })");
+  ASSERT_TRUE(read.graph) << read.Messages();
+  const std::vector<Texture>& textures = read.graph->textures;
+  EXPECT_EQ(textures[0].kind, TextureKind::kNoise);
+  const NoiseSetting& noise = textures[0].noise;
+  EXPECT_EQ(noise.size, 64u);
+  EXPECT_EQ(noise.seed, 9u);
+  ASSERT_EQ(noise.spectra[0].size(), 2u);
+  const NoisePart& band = noise.spectra[0][0];
+  EXPECT_EQ(band.frequency[0], 12);
+  EXPECT_EQ(band.bandwidth, 3);  // a quarter
+  EXPECT_EQ(band.direction, -30);
+  EXPECT_EQ(band.stretch, 3);
+  EXPECT_EQ(band.spread, 20);
+  EXPECT_EQ(band.share, 0.5);
+  EXPECT_EQ(noise.spectra[0][1].kind, NoisePart::Kind::kPainted);
+  EXPECT_THAT(textures[0].files, ElementsAre("b.png"));
+  ASSERT_EQ(noise.spectra[1].size(), 1u);
+  EXPECT_EQ(noise.spectra[1][0].frequency, (std::array<double, 2>{3, -4}));
+  EXPECT_EQ(noise.spectra[1][0].bandwidth, 1.25);
+  EXPECT_TRUE(textures[1].noise.spectra[1].empty());
+  EXPECT_FALSE(textures[0].is_array);
+  EXPECT_TRUE(textures[0].IsDerived());
+  EXPECT_TRUE(textures[5].is_array);
+  EXPECT_EQ(textures[5].of, 4u);
+  EXPECT_TRUE(textures[6].is_array);
+  EXPECT_EQ(textures[6].wrap_u, TextureWrap::kClamp);
+  EXPECT_EQ(textures[6].deviations, 7u);
+  std::vector<uint32_t> first;
+  for (uint32_t i = 0; i < 8; ++i) first.push_back(FirstEqualTexture(*read.graph, i));
+  EXPECT_THAT(first, ElementsAre(0u, 1u, 1u, 3u, 3u, 5u, 6u, 7u));
+}
+
 TEST(ReadTextures, EqualMapsShareASampler) {
   const ReadGraphText read = ReadSection(R"({
       "a": { "map": [[1, 2]] }, "b": { "map": [[1, 2]] }, "c": { "map": [[1], [2]] },

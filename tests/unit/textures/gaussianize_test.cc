@@ -232,19 +232,22 @@ TEST(GaussianizeTest, TexturesHoldIt) {
   const TextureData table = TableTexture(exemplar);
   EXPECT_EQ(table.format, TexelFormat::kRgba16F);
   EXPECT_EQ(table.sampler.wrap_v, ir::Wrap::kClamp);
+  EXPECT_TRUE(table.is_array);
+  EXPECT_EQ(table.layers, 3u);
   const ir::Texture texture = ToTexture(table);
   ASSERT_EQ(texture.levels.size(), 1u);
   for (const double level : {0.0, 2.3}) {
     for (const double g : {-0.4, 0.03, 0.2}) {
-      const float at[2] = {float(TableColumn(g, kNoiseSigma)), float(TableRow(level, 5))};
-      const ir::Texel texel = ir::SampleLod(texture, at, 0);
-      const auto color = TurnBack(exemplar, std::vector<double>(3, g), level);
-      for (size_t c = 0; c < 3; ++c) {
-        double sum = exemplar.mean[c];
-        for (size_t a = 0; a < 3; ++a) sum += exemplar.axes[a][c] * texel[a];
-        EXPECT_NEAR(sum, color[c], 1e-3);
+      ir::Texel sum{};
+      for (int a = 0; a < 3; ++a) {
+        const float at[3] = {float(TableColumn(g * (a - 1), kNoiseSigma)),
+                             float(TableRow(level, 5)), float(a)};
+        const ir::Texel texel = ir::SampleLod(texture, at, 0);
+        for (size_t c = 0; c < 4; ++c) sum[c] += texel[c];
       }
-      EXPECT_EQ(texel[3], 0);
+      const auto color = TurnBack(exemplar, std::vector{-g, 0.0, g}, level);
+      for (size_t c = 0; c < 3; ++c) EXPECT_NEAR(sum[c], color[c], 1e-3);
+      EXPECT_EQ(sum[3], 0);
     }
   }
   const TextureData noise = NoiseTexture(exemplar);
