@@ -11,6 +11,8 @@ set(TEXGRAPH_STDLIB_BLOCKS
   bombing/bomb_rivals.glsl
   bombing/copy_bits.glsl
   bombing/copy_bits3.glsl
+  by_example/corner_cube_place.glsl
+  by_example/corner_cubes.glsl
   by_example/corner_tile_place.glsl
   by_example/corner_tiles.glsl
   by_example/hex_frame.glsl

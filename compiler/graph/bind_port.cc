@@ -217,6 +217,8 @@ std::string_view WhatItHas(const Texture& texture) {
       return "a \"table\"";
     case TextureKind::kColorMap:
       return "a \"color_map\"";
+    case TextureKind::kCubes:
+      return "\"cubes\"";
   }
   return {};
 }
@@ -241,7 +243,7 @@ std::optional<BoundPort> SubgraphChecker::BindTexture(const Target& target,
   std::string_view wants = target.port.type == ir::kSampler2D ? "a texture with one \"file\""
                            : target.port.type == ir::kSampler2DArray
                                ? "a texture with \"layers\""
-                               : "a texture with \"pack\": \"volume\"";
+                               : "a texture with \"pack\": \"volume\" or \"cubes\"";
   target.place.AddNote(
       check_.diagnostics.Error(DiagnosticKind::kPortType, argument.range,
                                fmt::format("{} takes {}, but '{}' has {}", target.place.Text(),

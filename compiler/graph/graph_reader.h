@@ -36,6 +36,7 @@ enum class TextureKey : uint8_t {
   kGaussian,
   kTable,
   kColorMap,
+  kCubes,
   kMask,
   kKey,
   kColorSpace,
@@ -65,8 +66,9 @@ enum class TextureKey : uint8_t {
   kSize,
   kSecond,
   kDeviations,
+  kCubeSize,
 };
-inline constexpr size_t kTextureKeyCount = 44;
+inline constexpr size_t kTextureKeyCount = 46;
 
 inline constexpr size_t kMaxNodes = 1'000'000;  // of a graph, those of its functions included
 
@@ -157,6 +159,7 @@ class GraphReader {
   // read_tiles.cc
   void ReadTiles(const TextureKeys& keys, Owner owner, Texture& texture);
   void ReadTiling(const DocumentNode& node, const TextureKeys& keys, Owner owner, Texture& texture);
+  void ReadCubes(const DocumentNode& node, const TextureKeys& keys, Owner owner, Texture& texture);
   void ReadTileColors(const TextureKeys& keys, Owner owner, Texture& texture);
   void ReadWhole(const DocumentNode* node, Owner owner, uint32_t least, uint32_t greatest,
                  uint32_t& out);

@@ -20,7 +20,9 @@ bool HasControlCharacter(std::string_view text) {
 
 void GraphReader::ReadLayers(const DocumentNode& layers, Owner owner, Texture& texture) {
   if (!Is(&layers, DocumentKind::kArray, owner)) return;
-  if (layers.child_count == 0) BadValue(layers, "'layers' names at least one file");
+  if (layers.child_count == 0) {
+    BadValue(layers, fmt::format("'{}' names at least one file", layers.key));
+  }
   for (const DocumentNode& child : document_.children(layers)) ReadFile(child, owner, texture);
 }
 

@@ -15,16 +15,17 @@ constexpr int kCoarsestLevel = 30;  // of a mip chain; no texture has more
 
 using Key = TextureKey;
 
-constexpr size_t kKindCount = 15;  // the first keys are those of the kinds, in TextureKind's order
+constexpr size_t kKindCount = 16;  // the first keys are those of the kinds, in TextureKind's order
 
 constexpr std::array<std::string_view, kTextureKeyCount> kTextureKeys = {
-    "file",        "layers",    "sheet",   "map",         "lists",      "sprites",  "means",
-    "tiles",       "tiling",    "corners", "permutation", "noise",      "gaussian", "table",
-    "color_map",   "mask",      "key",     "color_space", "alpha",      "filter",   "wrap",
-    "wrap_u",      "wrap_v",    "mipmaps", "max_level",   "grid",       "pack",     "edges",
-    "weights",     "legend",    "of",      "binding",     "cells",      "dithered", "corner_colors",
-    "edge_colors", "tile_size", "like",    "seed",        "candidates", "weight",   "size",
-    "second",      "deviations"};
+    "file",        "layers",    "sheet",      "map",      "lists",       "sprites",
+    "means",       "tiles",     "tiling",     "corners",  "permutation", "noise",
+    "gaussian",    "table",     "color_map",  "cubes",    "mask",        "key",
+    "color_space", "alpha",     "filter",     "wrap",     "wrap_u",      "wrap_v",
+    "mipmaps",     "max_level", "grid",       "pack",     "edges",       "weights",
+    "legend",      "of",        "binding",    "cells",    "dithered",    "corner_colors",
+    "edge_colors", "tile_size", "like",       "seed",     "candidates",  "weight",
+    "size",        "second",    "deviations", "cube_size"};
 
 constexpr uint64_t Bit(TextureKey key) { return uint64_t{1} << static_cast<uint32_t>(key); }
 
@@ -53,7 +54,10 @@ constexpr std::array<uint64_t, kKindCount> kKeysOfKind = {
     Bit(Key::kNoise) | Bit(Key::kSecond) | Bit(Key::kSize) | Bit(Key::kSeed),
     Bit(Key::kGaussian) | Bit(Key::kColorSpace),
     Bit(Key::kTable),
-    Bit(Key::kColorMap) | Bit(Key::kColorSpace) | Bit(Key::kAlpha) | Bit(Key::kDeviations)};
+    Bit(Key::kColorMap) | Bit(Key::kColorSpace) | Bit(Key::kAlpha) | Bit(Key::kDeviations),
+    Bit(Key::kCubes) | Bit(Key::kGrid) | Bit(Key::kColorSpace) | Bit(Key::kAlpha) |
+        Bit(Key::kFilter) | Bit(Key::kWrap) | Bit(Key::kCornerColors) | Bit(Key::kCubeSize) |
+        Bit(Key::kSeed) | Bit(Key::kCandidates)};
 
 const DocumentNode* At(const std::array<const DocumentNode*, kTextureKeyCount>& keys,
                        TextureKey key) {
@@ -130,6 +134,9 @@ void GraphReader::ReadTexture(const DocumentNode& node) {
           ReadFile(*At(keys, Key::kColorMap), owner, texture);
           ReadWhole(At(keys, Key::kDeviations), owner, 2, kMaxDeviations, texture.deviations);
           texture.is_array = true;
+          break;
+        case TextureKind::kCubes:
+          ReadCubes(node, keys, owner, texture);
           break;
       }
       ReadSampling(keys, owner, texture);
@@ -220,7 +227,7 @@ void GraphReader::ReadSampling(const TextureKeys& keys, Owner owner, Texture& te
       At(keys, Key::kFilter), owner,
       {{"linear", TextureFilter::kLinear}, {"nearest", TextureFilter::kNearest}}, texture.filter);
   if (texture.kind == TextureKind::kGaussian) texture.alpha_is_opacity = false;
-  if (texture.kind == TextureKind::kTiles) return;  // its wrap is that of the sample
+  if (texture.HasTiles()) return;  // its wrap is that of the sample
   for (TextureKey key : {Key::kWrap, Key::kWrapU, Key::kWrapV}) {
     TextureWrap& out = key == Key::kWrapV ? texture.wrap_v : texture.wrap_u;
     if (!At(keys, key)) continue;

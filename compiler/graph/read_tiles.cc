@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sets of tiles that are made of a sample, and maps of their places.
+// Sets of tiles and cubes that are made of a sample, and maps of their places.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -82,6 +82,40 @@ void GraphReader::ReadTileColors(const TextureKeys& keys, Owner owner, Texture& 
            fmt::format("'edge_colors' is two whole numbers from 1 to {}: of edges that lie, "
                        "and of edges that stand",
                        kMaxTileColors));
+}
+
+// The sample is a list of slices, or a picture of them in a grid.
+void GraphReader::ReadCubes(const DocumentNode& node, const TextureKeys& keys, Owner owner,
+                            Texture& texture) {
+  const auto at = [&](TextureKey key) { return keys[static_cast<size_t>(key)]; };
+  const DocumentNode& slices = *at(TextureKey::kCubes);
+  const DocumentNode* grid = at(TextureKey::kGrid);
+  texture.is_3d = true;
+  if (slices.kind == DocumentKind::kArray) {
+    ReadLayers(slices, owner, texture);
+    if (grid) {
+      diagnostics_
+          .Error(DiagnosticKind::kGraphShape, grid->key_range,
+                 fmt::format("{} has a list of slices; a 'grid' is for slices in one picture",
+                             owner.Text()))
+          .AddNote(slices.range, "the list is here");
+    }
+  } else {
+    ReadFile(slices, owner, texture);
+    if (!grid) return ReportMissing(node, owner, "grid");
+    texture.grid_range = grid->range;
+    ReadSides(grid, owner, kMaxGridSide, texture.grid);
+  }
+  TileSetting& cubes = texture.tiles;
+  cubes.size = kCubeSize;
+  cubes.candidates = kCubeCandidates;
+  ReadWord<bool>(at(TextureKey::kWrap), owner, {{"repeat", true}, {"clamp", false}}, cubes.wraps);
+  ReadWhole(at(TextureKey::kCornerColors), owner, 2, kMaxCubeColors, cubes.colors[0]);
+  cubes.colors[1] = cubes.colors[0];
+  ReadWhole(at(TextureKey::kCubeSize), owner, kMinCubeSize, kMaxCubeSize, cubes.size);
+  ReadWhole(at(TextureKey::kSeed), owner, 0, kMaxMapNumber, cubes.seed);
+  ReadWhole(at(TextureKey::kCandidates), owner, kMinTileCandidates, kMaxCubeCandidates,
+            cubes.candidates);
 }
 
 void GraphReader::ReadTiling(const DocumentNode& node, const TextureKeys& keys, Owner owner,

@@ -45,6 +45,8 @@ std::string_view KindText(TextureKind kind) {
       return "a table";
     case TextureKind::kColorMap:
       return "a colour map";
+    case TextureKind::kCubes:
+      return "a set of cubes";
   }
   return {};
 }
@@ -72,6 +74,7 @@ bool IsAllowed(TextureKind from, TextureKind to) {
     case TextureKind::kGaussian:
     case TextureKind::kTable:
     case TextureKind::kColorMap:
+    case TextureKind::kCubes:
       break;
   }
   return false;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The section "textures" of a graph: pictures, patterns that are packed together, sets of tiles
-// made of a sample, noise and what it is drawn with, and maps of whole numbers. What a texture says
-// of others ("of", "edges", "weights", "means") is resolved and checked; what stands in files is
-// not looked at, except that a map's picture is decoded later (compiler/prepare).
+// or cubes made of a sample, noise and what it is drawn with, and maps of whole numbers. What a
+// texture says of others ("of", "edges", "weights", "means") is resolved and checked; what stands
+// in files is not looked at, except that a map's picture is decoded later (compiler/prepare).
 #pragma once
 
 #include <array>
@@ -58,6 +58,7 @@ enum class TextureKind : uint8_t {
   kGaussian,
   kTable,
   kColorMap,
+  kCubes,
 };
 
 std::string_view KindText(TextureKind kind);  // "a map"
@@ -65,7 +66,8 @@ std::string_view KindText(TextureKind kind);  // "a map"
 // "pack": how the patterns of layers or a sheet lie in one texture.
 enum class TexturePack : uint8_t { kArray, kAtlas, kVolume };
 
-// What tiles are made of a sample: textures::TileSetOptions.
+// What tiles are made of a sample: textures::TileSetOptions. Of cubes textures::CubeSetOptions,
+// with corners alone.
 struct TileSetting {
   bool has_edge_colors = false;  // "edge_colors", else "corner_colors"
   // Of corners, twice the same; or of edges that lie and of those that stand.
@@ -147,6 +149,12 @@ inline constexpr size_t kMaxNoiseParts = 16;
 inline constexpr double kMinBandwidth = 0.25;
 inline constexpr double kMaxStretch = 64;
 inline constexpr uint32_t kMaxDeviations = 8;
+inline constexpr uint32_t kMinCubeSize = 4;
+inline constexpr uint32_t kMaxCubeSize = 64;
+inline constexpr uint32_t kMaxCubeColors = 3;
+inline constexpr uint32_t kMaxCubeCandidates = 256;
+inline constexpr uint32_t kCubeSize = 16;          // without "cube_size"
+inline constexpr uint32_t kCubeCandidates = 64;    // without "candidates"
 inline constexpr int32_t kMaxMapNumber = 1 << 24;  // floats hold whole numbers up to here
 
 struct Texture {
@@ -171,8 +179,8 @@ struct Texture {
 
   // Patterns: kLayers and kSheet.
   TexturePack pack = TexturePack::kArray;
-  // Columns and rows of a sheet, and of an atlas; 1 to kMaxGridSide each. Patterns are counted from
-  // the left top corner, row by row.
+  // Columns and rows of a sheet, of an atlas, and of the slices of cubes' sample; 1 to kMaxGridSide
+  // each. Patterns are counted from the left top corner, row by row.
   std::array<uint32_t, 2> grid = {1, 1};
   SourceRange grid_range;
   bool match_edges = false;  // "edges"
@@ -182,8 +190,8 @@ struct Texture {
   // Of each pattern in the coarsest mip levels, 0 to kMaxWeight, not all 0; none: as they are.
   std::vector<double> weights;
 
-  // Of kTiles the setting; those that are cut like others ("like") have theirs, but for `weight`.
-  // Of kTiling and kPermutation the seed, of kCorners those of its tiles.
+  // Of kTiles and kCubes the setting; those that are cut like others ("like") have theirs, but for
+  // `weight`. Of kTiling and kPermutation the seed, of kCorners those of its tiles.
   TileSetting tiles;
 
   NoiseSetting noise;       // kNoise
@@ -206,6 +214,7 @@ struct Texture {
            kind == TextureKind::kSprites || kind == TextureKind::kTiling ||
            kind == TextureKind::kPermutation;
   }
+  bool HasTiles() const { return kind == TextureKind::kTiles || kind == TextureKind::kCubes; }
   bool HasPatterns() const { return kind == TextureKind::kLayers || kind == TextureKind::kSheet; }
   // Of layers and sheets.
   uint32_t PatternCount() const {

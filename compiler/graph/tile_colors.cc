@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ports that repeat what a set of tiles says of its colours ("@colors_of"): of corners where the
-// port is an int, of edges where it is an ivec2. They follow from the texture, and a graph that
-// gives them all the same gives them as the texture has them.
+// Ports that repeat what a set of tiles or cubes says of its colours ("@colors_of"): of corners
+// where the port is an int, of edges where it is an ivec2. They follow from the texture, and a
+// graph that gives them all the same gives them as the texture has them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -36,7 +36,7 @@ std::optional<BoundPort> SubgraphChecker::BindColors(const Target& target,
   const NamedTexture named = TextureAt(node, overload.inputs[*port.colors_of].name);
   if (!named.texture) return std::nullopt;
   const Texture& texture = *named.texture;
-  if (texture.kind != TextureKind::kTiles) return BindDefault(target, node.range);
+  if (!texture.HasTiles()) return BindDefault(target, node.range);
   const std::span<const uint32_t> colors = ColorsFor(port, texture);
   if (colors.empty()) {
     check_.diagnostics
@@ -60,7 +60,7 @@ void SubgraphChecker::CheckColors(const CheckedNode& checked, const blocks::Over
     const auto* ref = std::get_if<TextureRef>(&checked.inputs[*port.colors_of].source);
     if (!value || !value->value || !ref) continue;
     const Texture& texture = check_.graph.textures[ref->texture];
-    if (texture.kind != TextureKind::kTiles) continue;
+    if (!texture.HasTiles()) continue;
     if (std::ranges::equal(check_.module.Words(value->value), ColorsFor(port, texture))) continue;
     const Place place{"port", port.name, "node", checked.node->name, port.range};
     check_.diagnostics

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <optional>
 
 #include "compiler/base/files.h"
@@ -49,6 +50,23 @@ void DecodeMap(const graph::Graph& graph, graph::Texture& texture, const std::st
   texture.map = std::move(*map);
 }
 
+// `slice`: the first, or the picture of all of them.
+void CheckSolid(const graph::Texture& texture, const textures::ImageInfo& slice,
+                Diagnostics& diagnostics) {
+  std::array<uint32_t, 3> size = {slice.width, slice.height,
+                                  static_cast<uint32_t>(texture.files.size())};
+  if (texture.files.size() == 1) {
+    const auto [columns, rows] = texture.grid;
+    if (!textures::CheckSheet(slice, columns, rows, texture.name, texture.grid_range,
+                              diagnostics)) {
+      return;
+    }
+    size = {slice.width / columns, slice.height / rows, columns * rows};
+  }
+  textures::CheckCubeSet(CubeOptionsOf(texture), size, texture.name, texture.file_ranges[0],
+                         diagnostics);
+}
+
 // Every file must be an image that can be read, the layers of one array equally large, and a mask
 // as large as its picture.
 void CheckPictures(const graph::Texture& texture, const std::string& folder, const Roots& roots,
@@ -76,6 +94,9 @@ void CheckPictures(const graph::Texture& texture, const std::string& folder, con
                               texture.file_ranges[i], diagnostics);
     }
     if (texture.kind == graph::TextureKind::kNoise) continue;  // each spectrum is as it is
+    if (texture.kind == graph::TextureKind::kCubes && i == 0) {
+      CheckSolid(texture, *info, diagnostics);
+    }
     if (!first) first = info;
     if (info->width == first->width && info->height == first->height) continue;
     diagnostics.Error(

@@ -9,6 +9,7 @@
 
 #include "compiler/manifest/noise_textures.h"
 #include "compiler/manifest/pictures.h"
+#include "compiler/textures/cube_levels.h"
 #include "compiler/textures/maps.h"
 #include "compiler/textures/means.h"
 #include "compiler/textures/sheets.h"
@@ -25,6 +26,11 @@ static_assert(graph::kMaxSpriteTexels == textures::kMaxSpriteTexels &&
 static_assert(graph::kMinTileSize == textures::kMinTileSize &&
               graph::kMaxTileColors == textures::kMaxTileColors &&
               graph::kMaxTileCandidates == textures::kMaxTileCandidates);
+static_assert(graph::kMinCubeSize == textures::kMinCubeSize &&
+              graph::kMaxCubeSize == textures::kMaxCubeSize &&
+              graph::kMaxCubeColors == textures::kMaxCubeColors &&
+              graph::kMaxCubeCandidates == textures::kMaxCubeCandidates &&
+              graph::kMinTileCandidates == textures::kMinCubeCandidates);
 
 using graph::TextureKind;
 using textures::TextureData;
@@ -71,6 +77,8 @@ class Maker {
       case TextureKind::kTiles:
       case TextureKind::kCorners:
         return MakeTiles(texture, index);
+      case TextureKind::kCubes:
+        return MakeCubes(texture, index);
       case TextureKind::kSprites:
         return MakeSprites(texture);
       case TextureKind::kMeans:
@@ -107,7 +115,8 @@ class Maker {
       if (!picture) return nullptr;
       pictures.push_back(std::move(*picture));
     }
-    if (texture.kind == TextureKind::kSheet) {
+    const bool is_solid = texture.kind == TextureKind::kCubes && texture.files.size() == 1;
+    if (texture.kind == TextureKind::kSheet || is_solid) {
       auto cut = textures::CutSheet(pictures[0], texture.grid[0], texture.grid[1], texture.name,
                                     texture.grid_range, diagnostics_);
       if (!cut) return nullptr;
@@ -224,6 +233,16 @@ class Maker {
                                   texture.name, texture.range, diagnostics_);
   }
 
+  std::optional<TextureData> MakeCubes(const graph::Texture& texture, uint32_t index) {
+    const Pictures slices = PicturesOf(index);
+    if (!slices) return std::nullopt;
+    const auto cubes = textures::MakeCubeSet(*slices, CubeOptionsOf(texture), texture.name,
+                                             texture.range, diagnostics_);
+    if (!cubes) return std::nullopt;
+    return textures::MakeCubeTexture(*cubes, OptionsOf(texture), texture.name, texture.range,
+                                     diagnostics_);
+  }
+
   // The means of the patterns that a map, perhaps by way of lists, leads to.
   std::optional<TextureData> MakeMeans(const graph::Texture& texture, uint32_t index) {
     const std::optional<uint32_t> found = graph::PatternsOf(graph_, index);
@@ -311,6 +330,17 @@ textures::TileSetOptions TileOptionsOf(const graph::Texture& texture) {
   options.wraps = tiles.wraps;
   options.seed = tiles.seed;
   options.candidates = tiles.candidates;
+  return options;
+}
+
+textures::CubeSetOptions CubeOptionsOf(const graph::Texture& texture) {
+  const graph::TileSetting& cubes = texture.tiles;
+  textures::CubeSetOptions options;
+  options.colors = cubes.colors[0];
+  options.cube_size = cubes.size;
+  options.wraps = cubes.wraps;
+  options.seed = cubes.seed;
+  options.candidates = cubes.candidates;
   return options;
 }
 

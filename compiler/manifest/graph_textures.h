@@ -11,6 +11,7 @@
 #include "compiler/base/diagnostics.h"
 #include "compiler/base/roots.h"
 #include "compiler/graph/graph.h"
+#include "compiler/textures/cube_set.h"
 #include "compiler/textures/texels.h"
 #include "compiler/textures/tile_set.h"
 
@@ -22,6 +23,9 @@ textures::TextureOptions OptionsOf(const graph::Texture& texture);
 // Of a texture of kTiles.
 textures::TileSetOptions TileOptionsOf(const graph::Texture& texture);
 textures::TilePackLayout TileLayoutOf(const graph::Texture& texture);
+
+// Of a texture of kCubes.
+textures::CubeSetOptions CubeOptionsOf(const graph::Texture& texture);
 
 // The texture of that index; the graph is a checked one. The graph's file names are relative to
 // `folder`. Everything that is wrong with the files is reported.

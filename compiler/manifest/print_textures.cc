@@ -96,6 +96,7 @@ class TexturePrinter {
     if (data_) PrintShape();
     if (texture_.HasPatterns() && texture_.IsDerived()) PrintPatterns();
     if (texture_.kind == TextureKind::kTiles) PrintTileLayout(TileLayoutOf(texture_), json_);
+    if (texture_.kind == TextureKind::kCubes) PrintCubes();
     if (texture_.IsMap()) PrintMap();
     PrintSampling();
     json_.CloseObject();
@@ -192,6 +193,17 @@ class TexturePrinter {
     json_.Raw(key, SidesJson(sides));
   }
 
+  void PrintCubes() {
+    const textures::CubePackLayout layout =
+        textures::LayOutCubes(texture_.tiles.colors[0], texture_.tiles.size);
+    json_.OpenObject("cubes");
+    json_.Integer("corner_colors", layout.colors);
+    json_.Integer("cube_size", layout.cube_size);
+    const std::string side = std::to_string(layout.side);
+    json_.Raw("pack", JsonList({side, side, std::to_string(layout.layers)}));
+    json_.CloseObject();
+  }
+
   void PrintMap() {
     json_.OpenObject("map");
     if (texture_.kind == TextureKind::kSprites) {
@@ -221,8 +233,7 @@ class TexturePrinter {
     if (texture_.is_3d) wraps.push_back(JsonQuoted(WrapName(texture_.wrap_w)));
     json_.Raw("wrap", JsonList(wraps));
     json_.Bool("mipmaps", texture_.mipmaps);
-    const bool is_pack = texture_.pack == graph::TexturePack::kAtlas ||
-                         texture_.kind == TextureKind::kTiles ||
+    const bool is_pack = texture_.pack == graph::TexturePack::kAtlas || texture_.HasTiles() ||
                          texture_.kind == TextureKind::kCorners;
     if (data_ && is_pack) {
       json_.Integer("max_level", static_cast<long long>(data_->levels.size()) - 1);

@@ -92,6 +92,7 @@ std::vector<NamedPicture> Pictures() {
       {"hallway/crack.png", MakeCrack},
       {"hallway/door.png", MakeDoor},
       {"hallway/door_relief.png", MakeDoorRelief},
+      {"granite/granite.png", MakeGranite},
       {"grass_tiles/grass.png", MakeGrass},
       {"hallway/hole.png", MakeHole},
       {"hallway/plaster.png", MakePlaster},

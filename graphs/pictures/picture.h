@@ -93,6 +93,7 @@ Picture MakeInsects();
 Picture MakeDaisy();
 Picture MakeFlowers();
 Picture MakeFlowerBeds();
+Picture MakeGranite();
 Picture MakeGrass();
 Picture MakeLawn();
 Picture MakeGravel();

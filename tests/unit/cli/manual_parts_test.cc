@@ -98,6 +98,8 @@ std::map<std::string, std::vector<Rest>> RestOfPages() {
                          Sum("h", "c", "d") + Sum("i", "e", "f") + Sum("j", "g", "h") +
                          Sum("k", "i", "j"),
                      "k"),
+        TexturesWith("", R"("a": {"block": "corner_cubes", "in": {"cubes": "granite"}})",
+                     "a.color"),
         TexturesWith(ground + R"(, "leaf_patterns": {"layers": ["g0.png", "g1.png", "g2.png",
                      "g3.png"]}, )",
                      maps, "g"),
@@ -135,7 +137,8 @@ std::map<std::string, std::vector<Rest>> RestOfPages() {
                 ImageOf("texel", "relief") + Node("slope", "normal_map", R"("texel": "texel")") +
                 ImageOf("height_texel", "heights") + ", ",
             R"("color": "stones", "normal": "facing")"),
-        {R"({"texgraph": 1, )", R"(, "outputs": {"color": "blades.color"}})"}}},
+        {R"({"texgraph": 1, )", R"(, "outputs": {"color": "blades.color"}})"},
+        {R"({"texgraph": 1, )", R"(, "outputs": {"color": "stone.color"}})"}}},
       {"docs/grids.md",
        {Nodes("", "", R"("height": "tone", "opacity": "gap")"),
         Nodes(R"("where_moss_grows": {"file": "g0.png"}, "moss": {"file": "g1.png"})",
@@ -163,8 +166,8 @@ class ManualParts : public testing::Test {
           "leaf3.png",    "lawn.png",     "palette.png",       "spectrum.png"}) {
       Write(name, {{40, 90, 200, 255}, {120, 60, 20, 128}});
     }
-    // Samples of tiles.
-    for (const char* name : {"grass.png", "grass_normal.png", "sand.png"}) {
+    // Samples of tiles and cubes.
+    for (const char* name : {"grass.png", "grass_normal.png", "sand.png", "granite.png"}) {
       Write(name, {{40, 90, 200, 255}, {120, 60, 20, 128}}, 128);
     }
     Write("areas.png", {{0x3a, 0x7d, 0x2c, 255}, {0xc8, 0xb4, 0x6a, 255}});
