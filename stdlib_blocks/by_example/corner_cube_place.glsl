@@ -10,10 +10,10 @@
 /// @param colors how many colours there are @default 2 @range 2 3
 /// @return column, row and layer, from the lowest left corner
 ivec3 corner_cube_place(ivec4 below, ivec4 above, const int colors) {
-  const int count = colors * colors;
-  ivec2 window = corner_tile_place(below, colors);
-  // The step to the layer above: both sums are not negative.
-  ivec2 ij = (corner_tile_place(above, colors) - window + count) % count;
-  ivec2 moved = ivec2(ij.x * (ij.x - 1) / 2 + ij.y * (count * (count - 1) / 2), ij.x * ij.y);
-  return ivec3((window - moved % count + count) % count, ij.x + ij.y * count);
+  const uint count = uint(colors * colors);
+  uvec2 window = uvec2(corner_tile_place(below, colors));
+  // The step to the layer above, and what the steps below it sum to.
+  uvec2 ij = (uvec2(corner_tile_place(above, colors)) + count - window) % count;
+  uvec2 moved = uvec2(ij.x * (ij.x - 1u) / 2u + ij.y * (count * (count - 1u) / 2u), ij.x * ij.y);
+  return ivec3(uvec3((window + count - moved % count) % count, ij.x + ij.y * count));
 }

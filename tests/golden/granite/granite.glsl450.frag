@@ -54,10 +54,11 @@ ivec2 corner_tile_place(ivec4 corners) {
 
 // corner_cube_place (by_example/corner_cube_place.glsl)
 ivec3 corner_cube_place(ivec4 below, ivec4 above) {
-  ivec2 window = corner_tile_place(below);
-  ivec2 ij = (corner_tile_place(above) - window + 4) % 4;
-  ivec2 moved = ivec2(ij.x * (ij.x - 1) / 2 + ij.y * 6, ij.x * ij.y);
-  return ivec3((window - moved % 4 + 4) % 4, ij.x + ij.y * 4);
+  uvec2 window = uvec2(corner_tile_place(below));
+  uvec2 ij = (uvec2(corner_tile_place(above)) + 4u - window) & 3u;
+  uvec2 moved = uvec2(((ij.x * (ij.x - 1u)) >> 1u) + ij.y * 6u, ij.x * ij.y);
+  uvec3 numbers = uvec3((window + 4u - (moved & 3u)) & 3u, ij.x + ij.y * 4u);
+  return ivec3(numbers);
 }
 
 // corner_cubes (by_example/corner_cubes.glsl)

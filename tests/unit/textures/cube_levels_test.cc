@@ -84,7 +84,7 @@ double FilteringError(const ir::Texture& pack, const CubeSet& set, const Virtual
   const auto texels = static_cast<double>(reference.texture.levels[0].texels.size());
   const double variance = square / texels - mean / texels * (mean / texels);
   double sum = 0;
-  constexpr uint32_t kPoints = 20000;
+  constexpr uint32_t kPoints = 8000;
   for (uint32_t i = 0; i < kPoints; ++i) {
     // Points that fill the cube evenly: Roberts 2018.
     const double at[3] = {std::fmod(0.5 + i * 0.8191725133961645, 1.0) * kCubes,
