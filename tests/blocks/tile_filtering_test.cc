@@ -285,9 +285,9 @@ TEST(TileFilteringTest, ThePackOfCornersMendsThem) {
     const std::vector<TilePlace> places = PlacesOf(plain, tiles);
     EXPECT_EQ(PlacesOf(mended, tiles), places);
     const Reference reference = MakeReference(tiles, places);
-    const Errors before = ErrorsOf(plain, tiles, reference, 5);
-    const Errors after = ErrorsOf(mended, tiles, reference, 5);
-    for (size_t level = 0; level < 5; ++level) {
+    const Errors before = ErrorsOf(plain, tiles, reference, 4);
+    const Errors after = ErrorsOf(mended, tiles, reference, 4);
+    for (size_t level = 0; level < 4; ++level) {
       const double left = level < 2 ? 0.2 : level < 3 ? 0.4 : 1;
       EXPECT_LE(after.all[level], left * before.all[level]) << level;
       EXPECT_LE(after.corners[level], 0.5 * before.corners[level]) << level;

@@ -4,9 +4,12 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <vector>
 
+#include "compiler/textures/tile_map.h"
+#include "tests/blocks/synthetic_tiles.h"
 #include "tests/unit/cli/tiles_testing.h"
 
 namespace texgraph {
@@ -103,6 +106,71 @@ TEST_F(TilesInAGraph, EdgesAgree) {
   for (uint32_t i = 0; i < tiles.size(); ++i) {
     if (i % kTiling + 1 < kTiling) EXPECT_EQ(tiles[i][1], tiles[i + 1][3]);
     if (i + kTiling < tiles.size()) EXPECT_EQ(tiles[i][2], tiles[i + kTiling][0]);
+  }
+}
+
+// O23 where a driver filters: corner tiles beside an ordinary texture of the whole virtual texture,
+// with all its mip levels, magnified, between levels and small.
+TEST_F(TilesInAGraph, AreFilteredAsAnOrdinaryTexture) {
+  constexpr uint32_t kSide = 16;  // texels
+  constexpr uint32_t kTiles = 8;  // then all repeats
+  const TilePackLayout layout = textures::LayOutTiles(TileKind::kCorner, {2, 2}, kSide);
+  const Image pack = blocks::synthetic::Pack(layout);
+  std::vector<uint32_t> texels;
+  for (uint32_t i = 0; i < kTiles * kTiles * kSide * kSide; ++i) {
+    const uint32_t x = i % (kTiles * kSide);
+    const uint32_t y = kTiles * kSide - 1 - i / (kTiles * kSide);
+    const auto corner = [&](uint32_t right, uint32_t up) {
+      return textures::DrawnCorner(static_cast<int32_t>((x / kSide + right) % kTiles),
+                                   static_cast<int32_t>((y / kSide + up) % kTiles), 0, 2);
+    };
+    const TileColors colors = {corner(0, 0), corner(1, 0), corner(0, 1), corner(1, 1)};
+    texels.push_back(textures::test::TileTexel(pack, layout, PackedTile(layout, colors), x % kSide,
+                                               y % kSide, 0));
+  }
+  folder.Write("pack.png", *textures::EncodePng(pack));
+  folder.Write("whole.png", *textures::EncodePng(textures::test::MakeImage(
+                                kTiles * kSide, kTiles * kSide, 1, 16, texels)));
+  const auto draw = [&](const std::string& file, const std::string& node, const std::string& out,
+                        uint32_t size) {
+    folder.Write("graph.json",
+                 R"({ "texgraph": 1,
+      "textures": { "pack": { "file": ")" +
+                     file + R"(", "color_space": "linear", "max_level": 3 } },
+      "nodes": { "seen": )" +
+                     node + R"( }, "outputs": { "color": ")" + out + R"(" } })");
+    Program render = Make({});
+    render.arguments = {"render", "graph.json", "-o",     "drawn.png",
+                        "--bits", "16",         "--size", std::to_string(size)};
+    const Outcome outcome = render.Run();
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
+    return Picture("drawn.png");
+  };
+  // Of the magnified texture; errors are parts of it.
+  double deviation = 0;
+  // Half a texel to a pixel, one and a half, three, and seven: between levels of which the coarser
+  // one has 16, 8, 4 and 2 texels a tile.
+  for (const auto& [size, limit] :
+       {std::pair{256u, 0.001}, {85u, 0.001}, {43u, 0.01}, {18u, 0.05}}) {
+    const Image tiles = draw("pack.png", R"({ "block": "corner_tiles",
+        "in": { "tiles": "pack", "colors": 2, "tiling": 8, "period": 8 } })",
+                             "seen.color", size);
+    const Image whole =
+        draw("whole.png", R"({ "block": "image", "in": { "picture": "pack" } })", "seen", size);
+    double difference = 0;
+    double sum = 0;
+    double squares = 0;
+    for (uint32_t i = 0; i < size * size; ++i) {
+      const double seen = tiles.At(i % size, i / size, 0);
+      const double wanted = whole.At(i % size, i / size, 0);
+      difference += (seen - wanted) * (seen - wanted);
+      sum += wanted;
+      squares += wanted * wanted;
+    }
+    const double count = size * size;
+    if (deviation == 0) deviation = std::sqrt(squares / count - sum / count * (sum / count));
+    EXPECT_GT(deviation, 1000);
+    EXPECT_LE(std::sqrt(difference / count) / deviation, limit) << size;
   }
 }
 
