@@ -62,6 +62,7 @@ std::vector<PatternEntry> MeasurePatterns(const std::string& root);
 struct TilesEntry {
   std::string name;
   int samples = 0;
+  int computing = 0;  // instructions that compute
   double frame_ms = 0;
   // To one plain trilinear look-up in the same pack, with as many texels a pixel.
   double to_plain = 0, most_to_plain = 0;  // 0: nothing is promised

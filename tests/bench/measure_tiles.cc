@@ -31,6 +31,7 @@ TilesEntry Measure(const std::string& root, const std::string& name, const std::
   entry.error = drawable.error;
   if (!entry.error.empty()) return entry;
   entry.samples = drawable.weight.samples;
+  entry.computing = drawable.weight.computing;
   std::vector<runtime::RenderRequest> requests = {drawable.request, drawable.request};
   requests[1].shader = fmt::format(R"(#version 450 core
 layout(location = 0) in vec2 uv;
@@ -57,6 +58,12 @@ std::vector<TilesEntry> MeasureTiles(const std::string& root) {
       Measure(root, "corner_tiles, 3 colours", R"("corner_colors": 3)", corners, "", 9, 0),
       Measure(root, "wang_tiles, 2 and 2 colours", R"("edge_colors": [2, 2])",
               R"("wang_tiles", "in": {"tiles": "grass")", "", 4, kPromised),
+      Measure(root, "wang_tiles_with_corners", R"("edge_colors": [2, 2])",
+              R"("wang_tiles_with_corners", "in": {"tiles": "grass", "corners": "around")",
+              R"(, "around": {"corners": "grass"})", 4, 0),
+      Measure(root, "permutation_wang_tiles", R"("edge_colors": [2, 2])",
+              R"("permutation_wang_tiles", "in": {"tiles": "grass", "table": "hashes")",
+              R"(, "hashes": {"permutation": 64})", 4, 0),
       Measure(root, "tile_map", R"("corner_colors": 2)",
               R"("tile_map", "in": {"tiles": "grass", "map": "plan")",
               R"(, "plan": {"tiling": "grass", "cells": [64, 64]})", 4, 0),

@@ -99,6 +99,36 @@ INSTANTIATE_TEST_SUITE_P(TextureBombing, WeightTest,
                          testing::Values(Promise{"daisies", 4, 50}, Promise{"circles", 1, 56}),
                          [](const auto& promise) { return std::string(promise.param.graph); });
 
+// One look-up for tiles, six more for a table of permuted numbers, one more for corners or a map.
+// Wei's program takes nine.
+class TileWeight : public testing::TestWithParam<Promise> {};
+
+TEST_P(TileWeight, IsKept) {
+  const std::string path =
+      std::string(TEXGRAPH_SOURCE_DIR) + "/graphs/" + GetParam().graph + ".jsonc";
+  Sources sources;
+  Diagnostics diagnostics;
+  auto text = ReadFile(path, 1 << 20, {}, diagnostics);
+  ASSERT_TRUE(text);
+  CompileOptions options;
+  options.target = Target::kSpirv;
+  auto compiled = Compile(sources.Add(path, std::move(*text)), graph::DocumentFormat::kJsonc,
+                          options, sources, diagnostics);
+  ASSERT_TRUE(compiled) << FormatDiagnostics(diagnostics, sources, false);
+  auto weight = WeightOf(compiled->spirv);
+  ASSERT_TRUE(weight);
+  EXPECT_EQ(weight->samples, GetParam().samples);
+  EXPECT_LE(weight->computing, GetParam().computing);
+  RecordProperty("computing", weight->computing);
+}
+
+INSTANTIATE_TEST_SUITE_P(Tiles, TileWeight,
+                         testing::Values(Promise{"wei_tiles/dots_at_corners", 1, 46},
+                                         Promise{"grass_tiles/grass_wang_tiles", 1, 75},
+                                         Promise{"grass_tiles/grass_tile_map", 2, 33},
+                                         Promise{"wei_tiles/grass_permutation", 7, 71},
+                                         Promise{"wei_tiles/grass_with_corners", 2, 184}));
+
 // What counts and what does not, by a shader whose operations are known.
 TEST(Weight, CountsWhatComputes) {
   Sources sources;
