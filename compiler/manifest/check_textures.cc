@@ -98,6 +98,14 @@ void CheckPictures(const graph::Texture& texture, const std::string& folder, con
       CheckSolid(texture, *info, diagnostics);
     }
     if (!first) first = info;
+    if (texture.kind == graph::TextureKind::kCubes &&
+        (info->channels != first->channels || info->bits != first->bits)) {
+      diagnostics.Error(
+          DiagnosticKind::kBadImage, texture.file_ranges[i],
+          fmt::format("the slices of a sample must be alike; the first has {} channels of {} bits, "
+                      "this one {} of {}",
+                      first->channels, first->bits, info->channels, info->bits));
+    }
     if (info->width == first->width && info->height == first->height) continue;
     diagnostics.Error(
         DiagnosticKind::kBadImage, texture.file_ranges[i],
