@@ -88,6 +88,7 @@ Tiles
   --seed N              another set (default: 0)
   --candidates N        among how many places the best are searched: 8 to 1024 (default: 256)
   --own-middles         more variety, but more seams: each tile has a place of its own in its middle. For what has no order
+  --even                no grid seen from afar: places whose light and dark parts cancel. For what has no order
   --weights W,W,...     how much each map counts where seams are searched (default: all alike)
 
 Files

@@ -116,7 +116,7 @@ void RunTiles(const TilesOptions& options, Diagnostics& diagnostics, std::string
       progress.Reach(static_cast<uint32_t>(share * kProgressSteps));
     };
     if (textures::CheckTileSet(options.set, maps->front().width, maps->front().height,
-                               options.maps[0], {}, diagnostics) &&
+                               options.maps[0], {}, diagnostics, maps->size()) &&
         CheckTiling(options, diagnostics)) {
       set = textures::MakeTileSet(*maps, options.weights, options.set, options.maps[0], {},
                                   diagnostics, reach);

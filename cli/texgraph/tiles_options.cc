@@ -20,7 +20,7 @@ constexpr std::string_view kTilesCommand = "tiles";
 constexpr std::string_view kTilesOptionNames[] = {
     "--tile-size", "--corners", "--edges",       "--wraps", "--seed",   "--candidates",
     "--weights",   "--json",    "--corner-pack", "--view",  "--tiling", "--tiling-size",
-    "--report",    "--color",   "--own-middles", "--help"};
+    "--report",    "--color",   "--own-middles", "--even",  "--help"};
 
 // The texts of the options that CLI11 only collects; "" where one was not given.
 struct TilesTexts {
@@ -48,6 +48,7 @@ void DeclareTiles(CLI::App& app, TilesOptions& options, TilesTexts& raw) {
   text("--seed", raw.seed);
   text("--candidates", raw.candidates);
   app.add_flag("--own-middles", options.set.own_middles);
+  app.add_flag("--even", options.set.even);
   text("--weights", raw.weights);
   app.add_option("-o", options.packs)->allow_extra_args(false);
   text("--json", options.json);

@@ -67,8 +67,10 @@ enum class TextureKey : uint8_t {
   kSecond,
   kDeviations,
   kCubeSize,
+  kOwnMiddles,
+  kEven,
 };
-inline constexpr size_t kTextureKeyCount = 46;
+inline constexpr size_t kTextureKeyCount = 48;
 
 inline constexpr size_t kMaxNodes = 1'000'000;  // of a graph, those of its functions included
 

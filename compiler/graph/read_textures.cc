@@ -18,14 +18,14 @@ using Key = TextureKey;
 constexpr size_t kKindCount = 16;  // the first keys are those of the kinds, in TextureKind's order
 
 constexpr std::array<std::string_view, kTextureKeyCount> kTextureKeys = {
-    "file",        "layers",    "sheet",      "map",      "lists",       "sprites",
-    "means",       "tiles",     "tiling",     "corners",  "permutation", "noise",
-    "gaussian",    "table",     "color_map",  "cubes",    "mask",        "key",
-    "color_space", "alpha",     "filter",     "wrap",     "wrap_u",      "wrap_v",
-    "mipmaps",     "max_level", "grid",       "pack",     "edges",       "weights",
-    "legend",      "of",        "binding",    "cells",    "dithered",    "corner_colors",
-    "edge_colors", "tile_size", "like",       "seed",     "candidates",  "weight",
-    "size",        "second",    "deviations", "cube_size"};
+    "file",        "layers",    "sheet",      "map",       "lists",       "sprites",
+    "means",       "tiles",     "tiling",     "corners",   "permutation", "noise",
+    "gaussian",    "table",     "color_map",  "cubes",     "mask",        "key",
+    "color_space", "alpha",     "filter",     "wrap",      "wrap_u",      "wrap_v",
+    "mipmaps",     "max_level", "grid",       "pack",      "edges",       "weights",
+    "legend",      "of",        "binding",    "cells",     "dithered",    "corner_colors",
+    "edge_colors", "tile_size", "like",       "seed",      "candidates",  "weight",
+    "size",        "second",    "deviations", "cube_size", "own_middles", "even"};
 
 constexpr uint64_t Bit(TextureKey key) { return uint64_t{1} << static_cast<uint32_t>(key); }
 
@@ -47,7 +47,8 @@ constexpr std::array<uint64_t, kKindCount> kKeysOfKind = {
     Bit(Key::kMeans) | Bit(Key::kDithered),
     Bit(Key::kTiles) | Bit(Key::kColorSpace) | Bit(Key::kAlpha) | Bit(Key::kFilter) |
         Bit(Key::kWrap) | Bit(Key::kCornerColors) | Bit(Key::kEdgeColors) | Bit(Key::kTileSize) |
-        Bit(Key::kLike) | Bit(Key::kSeed) | Bit(Key::kCandidates) | Bit(Key::kWeight),
+        Bit(Key::kLike) | Bit(Key::kSeed) | Bit(Key::kCandidates) | Bit(Key::kWeight) |
+        Bit(Key::kOwnMiddles) | Bit(Key::kEven),
     Bit(Key::kTiling) | Bit(Key::kCells) | Bit(Key::kSeed),
     Bit(Key::kCorners),
     Bit(Key::kPermutation) | Bit(Key::kSeed),

@@ -28,9 +28,9 @@ void GraphReader::ReadTiles(const TextureKeys& keys, Owner owner, Texture& textu
     if (value >= 0) tiles.weight = value;
   }
   if (const DocumentNode* like = at(TextureKey::kLike)) {
-    for (TextureKey key :
-         {TextureKey::kCornerColors, TextureKey::kEdgeColors, TextureKey::kTileSize,
-          TextureKey::kSeed, TextureKey::kCandidates, TextureKey::kWrap}) {
+    for (TextureKey key : {TextureKey::kCornerColors, TextureKey::kEdgeColors,
+                           TextureKey::kTileSize, TextureKey::kSeed, TextureKey::kCandidates,
+                           TextureKey::kOwnMiddles, TextureKey::kEven, TextureKey::kWrap}) {
       if (!at(key)) continue;
       diagnostics_
           .Error(DiagnosticKind::kGraphShape, at(key)->key_range,
@@ -48,6 +48,8 @@ void GraphReader::ReadTiles(const TextureKeys& keys, Owner owner, Texture& textu
   ReadWhole(at(TextureKey::kSeed), owner, 0, kMaxMapNumber, tiles.seed);
   ReadWhole(at(TextureKey::kCandidates), owner, kMinTileCandidates, kMaxTileCandidates,
             tiles.candidates);
+  ReadBool(at(TextureKey::kOwnMiddles), owner, tiles.own_middles);
+  ReadBool(at(TextureKey::kEven), owner, tiles.even);
 }
 
 void GraphReader::ReadTileColors(const TextureKeys& keys, Owner owner, Texture& texture) {

@@ -76,7 +76,9 @@ struct TileSetting {
   bool wraps = false;   // "wrap": whether the sample repeats
   uint32_t seed = 0;
   uint32_t candidates = 256;  // kMinTileCandidates to kMaxTileCandidates
-  double weight = 1;          // of this map where seams are searched, 0 to kMaxWeight
+  bool own_middles = false;
+  bool even = false;
+  double weight = 1;  // of this map where seams are searched, 0 to kMaxWeight
   bool operator==(const TileSetting&) const = default;
 };
 

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 #include "compiler/base/files.h"
 #include "compiler/manifest/graph_textures.h"
@@ -68,9 +69,10 @@ void CheckSolid(const graph::Texture& texture, const textures::ImageInfo& slice,
 }
 
 // Every file must be an image that can be read, the layers of one array equally large, and a mask
-// as large as its picture.
-void CheckPictures(const graph::Texture& texture, const std::string& folder, const Roots& roots,
-                   Diagnostics& diagnostics) {
+// as large as its picture. The first image, if it can be read.
+std::optional<textures::ImageInfo> CheckPictures(const graph::Texture& texture,
+                                                 const std::string& folder, const Roots& roots,
+                                                 Diagnostics& diagnostics) {
   std::optional<textures::ImageInfo> first;
   for (size_t i = 0; i < texture.files.size(); ++i) {
     const textures::PictureSource source = PictureOf(texture, i, folder);
@@ -84,10 +86,6 @@ void CheckPictures(const graph::Texture& texture, const std::string& folder, con
     if (texture.kind == graph::TextureKind::kSheet) {
       textures::CheckSheet(*info, texture.grid[0], texture.grid[1], texture.name,
                            texture.grid_range, diagnostics);
-    }
-    if (texture.kind == graph::TextureKind::kTiles) {
-      textures::CheckTileSet(TileOptionsOf(texture), info->width, info->height, texture.name,
-                             texture.file_ranges[i], diagnostics);
     }
     if (texture.kind == graph::TextureKind::kColorMap) {
       textures::CheckColorMap(info->width, info->height, MapOptionsOf(texture), texture.name,
@@ -113,6 +111,37 @@ void CheckPictures(const graph::Texture& texture, const std::string& folder, con
             "the layers of an array must be equally large; the first is {} x {}, this one {} x {}",
             first->width, first->height, info->width, info->height));
   }
+  return first;
+}
+
+using Infos = std::vector<std::optional<textures::ImageInfo>>;  // of the graph's textures
+
+// What a set of tiles is made of must be large enough, and all maps of one material of one size:
+// only then are their tiles cut at the same places.
+void CheckTiles(const graph::Graph& graph, const Infos& infos, Diagnostics& diagnostics) {
+  std::vector<uint64_t> maps(graph.textures.size(), 1);
+  for (uint32_t t = 0; t < graph.textures.size(); ++t) {
+    const graph::Texture& texture = graph.textures[t];
+    if (texture.kind != graph::TextureKind::kTiles || !texture.of) continue;
+    ++maps[*texture.of];
+    const auto& own = infos[t];
+    const auto& first = infos[*texture.of];
+    if (!own || !first || (own->width == first->width && own->height == first->height)) continue;
+    const graph::Texture& set = graph.textures[*texture.of];
+    diagnostics
+        .Error(DiagnosticKind::kBadImage, texture.file_ranges[0],
+               fmt::format("'{}' has {} x {} pixels, and '{}', which it is cut like, {} x {}; maps "
+                           "of one material are equally large",
+                           texture.name, own->width, own->height, set.name, first->width,
+                           first->height))
+        .AddNote(set.file_ranges[0], fmt::format("the sample of '{}' is here", set.name));
+  }
+  for (uint32_t t = 0; t < graph.textures.size(); ++t) {
+    const graph::Texture& texture = graph.textures[t];
+    if (texture.kind != graph::TextureKind::kTiles || texture.of || !infos[t]) continue;
+    textures::CheckTileSet(TileOptionsOf(texture), infos[t]->width, infos[t]->height, texture.name,
+                           texture.file_ranges[0], diagnostics, maps[t]);
+  }
 }
 
 }  // namespace
@@ -120,7 +149,9 @@ void CheckPictures(const graph::Texture& texture, const std::string& folder, con
 void CheckTextures(graph::Graph& graph, const std::string& folder,
                    const std::vector<std::string>& root_folders, Diagnostics& diagnostics) {
   const Roots roots(root_folders, diagnostics);
-  for (graph::Texture& texture : graph.textures) {
+  Infos infos(graph.textures.size());
+  for (uint32_t t = 0; t < graph.textures.size(); ++t) {
+    graph::Texture& texture = graph.textures[t];
     if (texture.kind == graph::TextureKind::kTiling) {
       if (!texture.of) continue;  // reported
       texture.map =
@@ -129,11 +160,12 @@ void CheckTextures(graph::Graph& graph, const std::string& folder,
     } else if (texture.kind == graph::TextureKind::kPermutation) {
       texture.map = textures::MakePermutation(texture.map.width, texture.tiles.seed);
     } else if (texture.kind != graph::TextureKind::kMap) {
-      CheckPictures(texture, folder, roots, diagnostics);
+      infos[t] = CheckPictures(texture, folder, roots, diagnostics);
     } else if (!texture.files.empty()) {
       DecodeMap(graph, texture, folder, roots, diagnostics);
     }
   }
+  CheckTiles(graph, infos, diagnostics);
 }
 
 }  // namespace texgraph::manifest

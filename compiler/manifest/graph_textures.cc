@@ -330,6 +330,8 @@ textures::TileSetOptions TileOptionsOf(const graph::Texture& texture) {
   options.wraps = tiles.wraps;
   options.seed = tiles.seed;
   options.candidates = tiles.candidates;
+  options.own_middles = tiles.own_middles;
+  options.even = tiles.even;
   return options;
 }
 

@@ -54,12 +54,17 @@ TilePackLayout LayOutTiles(TileKind kind, std::array<uint32_t, 2> colors, uint32
   return layout;
 }
 
-uint32_t LargestTile(TileKind kind, std::array<uint32_t, 2> colors) {
+uint32_t LargestTile(TileKind kind, std::array<uint32_t, 2> colors, uint64_t maps) {
   const TilePackLayout layout = LayOutTiles(kind, colors, 1);
   const bool has_gutters = layout.gutter > 0;
   const uint32_t high = kMaxTilePackSide / (layout.rows + (has_gutters ? 1 : 0));
   uint32_t size = std::min(kMaxTilePackSide / layout.columns, high);
-  while (LayOutTiles(kind, colors, size).height() > kMaxTilePackSide) --size;
+  const auto fits = [&] {
+    const TilePackLayout pack = LayOutTiles(kind, colors, size);
+    return pack.height() <= kMaxTilePackSide &&
+           uint64_t{pack.width()} * pack.height() <= kMaxTilePackTexels / maps;
+  };
+  while (size > 0 && !fits()) --size;
   return size;
 }
 

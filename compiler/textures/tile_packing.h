@@ -12,7 +12,9 @@ namespace texgraph::textures {
 
 inline constexpr uint32_t kMaxTileColors = 4;
 inline constexpr uint32_t kMinTileSize = 4;
-inline constexpr uint32_t kMaxTilePackSide = 16384;  // texels
+// Texels: what OpenGL 4.5 promises, and what any texture of texgraph has at most.
+inline constexpr uint32_t kMaxTilePackSide = 16384;
+inline constexpr uint64_t kMaxTilePackTexels = uint64_t{1} << 26;
 
 enum class TileKind : uint8_t {
   kCorner,  // a colour at each corner: all four tiles that meet there fit
@@ -48,8 +50,8 @@ struct TilePackLayout {
 bool AreTileColors(TileKind kind, std::array<uint32_t, 2> colors);
 // Colours must be good, and the tile size such that nothing overflows.
 TilePackLayout LayOutTiles(TileKind kind, std::array<uint32_t, 2> colors, uint32_t tile_size);
-// The largest tile whose pack is within kMaxTilePackSide.
-uint32_t LargestTile(TileKind kind, std::array<uint32_t, 2> colors);
+// The largest tile whose packs, one for each of `maps`, are within these limits.
+uint32_t LargestTile(TileKind kind, std::array<uint32_t, 2> colors, uint64_t maps = 1);
 
 // Wei's equation 6: the place of the pair in a tour that has each ordered pair once.
 uint32_t TileIndex1D(uint32_t first, uint32_t second);

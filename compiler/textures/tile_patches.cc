@@ -7,6 +7,7 @@
 
 #include "compiler/textures/hash.h"
 #include "compiler/textures/tile_seams.h"
+#include "compiler/textures/tile_shades.h"
 
 namespace texgraph::textures {
 namespace {
@@ -17,6 +18,8 @@ using Origin = std::array<int64_t, 2>;
 constexpr size_t kMaxStarts = 256;
 // Of two patches that are the same, as parts of what a pair costs in the mean.
 constexpr double kOverlapCost = 1;
+// Of a set whose grid is that of random patches, as a part of what all its seams cost in the mean.
+constexpr double kGridCost = 1;
 constexpr int kMaxSweeps = 8;
 
 // Places of one kind of colour: corners, edges that lie, edges that stand.
@@ -61,6 +64,7 @@ class PatchSearch {
   }
 
   void RatePairs(TileWork& work);
+  void RateGrids();
   std::vector<PatchSet> BestSets(size_t most) const;
 
  private:
@@ -83,6 +87,7 @@ class PatchSearch {
   int64_t EdgeEnds(bool stands, const Origin& a, const Origin& b) const;
   // The share of the smaller of the two that is part of the other, too.
   double Overlap(size_t i, size_t j) const;
+  double UsualCost() const;
   double CostOf(const std::vector<size_t>& set, size_t slot, size_t candidate) const;
   double Improve(std::vector<size_t>& set, size_t first_slot) const;
   PatchSet SetOf(const std::vector<size_t>& candidates) const;
@@ -94,6 +99,7 @@ class PatchSearch {
   std::vector<Patches> kinds_;
   std::vector<size_t> slots_;  // the kind of each colour
   std::vector<float> costs_;   // of pairs, both ways
+  std::vector<float> grids_;   // of pairs: their parts of a set's grid
   std::vector<int64_t> roughness_;
 };
 
@@ -187,12 +193,49 @@ void PatchSearch::RatePairs(TileWork& work) {
     }
     work.Add(total - i);
   });
-  double sum = 0;
-  for (float cost : costs_) sum += double{cost};
-  const double usual = sum / static_cast<double>(costs_.size());
+  const double usual = UsualCost();
   for (size_t i = 0; i < total; ++i) {
     for (size_t j = 0; j < total; ++j) {
       if (i != j) costs_[i * total + j] += static_cast<float>(kOverlapCost * usual * Overlap(i, j));
+    }
+  }
+}
+
+double PatchSearch::UsualCost() const {
+  double sum = 0;
+  for (float cost : costs_) sum += double{cost};
+  return sum / static_cast<double>(costs_.size());
+}
+
+// The grid is a sum over pairs, as seams are, so that patches are found whose light parts are each
+// other's dark ones.
+void PatchSearch::RateGrids() {
+  const double usual = UsualCost();
+  const size_t total = Total();
+  const int64_t size = layout_.tile_size;
+  PatchShades shades(sample_, scale_, layout_.tile_size);
+  for (size_t i = 0; i < total; ++i) {
+    const PatchKind kind = KindOf(i);
+    const Origin& origin = OriginOf(i);
+    shades.Add({origin[0] + (kind == PatchKind::kLies ? size / 2 : size),
+                origin[1] + (kind == PatchKind::kStands ? size / 2 : size)},
+               kind != PatchKind::kCorner);
+  }
+  double mean = 0;
+  for (size_t i = 0; i < total; ++i) mean += shades.Product(i, i);
+  mean /= static_cast<double>(total);
+  grids_.resize(total * total);
+  if (mean <= 0) return;
+  // Seams are those of all pairs, and of each patch with itself.
+  const double seams = static_cast<double>(slots_.size() + 1) / 2;
+  for (size_t i = 0; i < total; ++i) {
+    for (size_t j = 0; j < total; ++j) {
+      // Around edges that lie there is nothing of those that stand.
+      if (KindOf(i) != KindOf(j)) continue;
+      const double grid = shades.Product(i, j) / mean;
+      grids_[i * total + j] = static_cast<float>(grid);
+      costs_[i * total + j] +=
+          static_cast<float>((i == j ? 1 : 2) * kGridCost * usual * seams * grid);
     }
   }
 }
@@ -263,6 +306,11 @@ PatchSet PatchSearch::SetOf(const std::vector<size_t>& candidates) const {
     set.roughness += static_cast<double>(roughness_[candidate]);
   }
   set.roughness /= static_cast<double>(candidates.size());
+  if (grids_.empty()) return set;
+  for (size_t i : candidates) {
+    for (size_t j : candidates) set.grid += double{grids_[i * Total() + j]};
+  }
+  set.grid /= static_cast<double>(candidates.size());
   return set;
 }
 
@@ -316,6 +364,7 @@ std::vector<PatchSet> RankPatches(const TileSample& sample, const TilePackLayout
                                   TileWork& work) {
   PatchSearch search(sample, layout, options, scale);
   search.RatePairs(work);
+  if (options.even) search.RateGrids();
   return search.BestSets(most);
 }
 

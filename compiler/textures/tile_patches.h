@@ -34,6 +34,8 @@ struct PatchSet {
   // The left bottom texels of a patch for each colour, as TileSet has them.
   std::vector<std::array<int64_t, 2>> patches;
   double roughness = 0;  // mean step between neighbours in them, at the scale of the search
+  double grid = 0;       // how strong it is (tile_shades.h), as part of that of random patches,
+                         // if the options ask for it
 };
 
 // Sets that differ, the best first: at least one, at most `most`. Tells `work` of each pair that is

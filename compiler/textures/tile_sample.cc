@@ -24,7 +24,9 @@ int64_t Inside(int64_t at, int64_t size, bool wraps) {
 TileSample::TileSample(std::span<const Image> maps, std::span<const double> weights, bool wraps,
                        uint32_t scales)
     : wraps_(wraps) {
-  for (const Image& map : maps) channels_ += map.channels;
+  for (size_t i = 0; i < maps.size(); ++i) {
+    if (weights[i] > 0) channels_ += maps[i].channels;
+  }
   scales_.reserve(scales);
   Scale& base = scales_.emplace_back();
   base.width = maps[0].width;
@@ -45,6 +47,7 @@ void TileSample::Fill(std::span<const Image> maps, std::span<const double> weigh
   std::vector<uint16_t>& values = scales_[0].values;
   uint32_t first = 0;
   for (size_t i = 0; i < maps.size(); ++i) {
+    if (weights[i] <= 0) continue;
     const Image& map = maps[i];
     std::vector<uint16_t> table(size_t{1} << map.bits);
     for (size_t v = 0; v < table.size(); ++v) {

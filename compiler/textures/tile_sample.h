@@ -19,13 +19,17 @@ struct TexelPlace {
 
 class TileSample {
  public:
-  // `weights`: one a map, none negative, one above 0. `scales`: how many, at least 1.
+  // `weights`: one a map, none negative, one above 0; maps of weight 0 are left out. `scales`: how
+  // many, at least 1.
   TileSample(std::span<const Image> maps, std::span<const double> weights, bool wraps,
              uint32_t scales);
 
   uint32_t width() const { return static_cast<uint32_t>(scales_[0].width); }
   uint32_t height() const { return static_cast<uint32_t>(scales_[0].height); }
   bool wraps() const { return wraps_; }
+  uint32_t channels() const { return channels_; }  // of all maps
+  // The channels of a place, as of Difference.
+  const uint16_t* At(uint32_t scale, TexelPlace place) const { return At(scales_[scale], place); }
 
   // Sum of the differences of all channels of two places, at most 2^20; what lies outside is the
   // nearest inside, or comes around.

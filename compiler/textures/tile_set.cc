@@ -18,12 +18,15 @@
 namespace texgraph::textures {
 namespace {
 
+static_assert(kMaxTilePackTexels <= kMaxImagePixels);
 constexpr uint32_t kMinCandidates = 8;
 constexpr uint32_t kSearchSide = 32;    // of a tile where patches are searched
 constexpr uint32_t kMiddles = 256;      // looked at for each tile
 constexpr uint32_t kMaxFinalists = 24;  // sets of patches that are tried
 constexpr uint32_t kTriedTiles = 16;    // of each
-constexpr uint64_t kTryingTime = 500;   // about as long as so many pairs take
+// Of a grid as strong as that of random patches, as a part of what the seams cost.
+constexpr double kTriedGridCost = 0.5;
+constexpr uint64_t kTryingTime = 500;  // about as long as so many pairs take
 
 // Seeds' streams: candidates use those below.
 constexpr uint32_t kMiddleStream = 1u << 16;
@@ -146,7 +149,7 @@ void TileSetMaker::ChoosePatches(TileWork& work) {
     double cost = 0;
     for (uint32_t tile = 0; tile < tiles; ++tile)
       cost += static_cast<double>(costs[i * tiles + tile]);
-    cost /= sets[i].roughness + 1;
+    cost *= (1 + kTriedGridCost * sets[i].grid) / (sets[i].roughness + 1);
     if (i > 0 && cost >= least) continue;
     least = cost;
     best = i;
@@ -236,14 +239,18 @@ bool CheckColors(const TileSetOptions& options, std::string_view name, SourceRan
   return false;
 }
 
-bool CheckSize(const TileSetOptions& options, std::string_view name, SourceRange range,
-               Diagnostics& diagnostics) {
-  const uint32_t largest = LargestTile(options.kind, options.colors);
+bool CheckSize(const TileSetOptions& options, uint64_t maps, std::string_view name,
+               SourceRange range, Diagnostics& diagnostics) {
+  const uint32_t largest = LargestTile(options.kind, options.colors, maps);
   if (options.tile_size >= kMinTileSize && options.tile_size <= largest) return true;
-  diagnostics.Error(DiagnosticKind::kSizeLimit, range,
-                    fmt::format("the tiles of '{}' have {} texels a side; with these colours {} to "
-                                "{} are possible",
-                                Printable(name), options.tile_size, kMinTileSize, largest));
+  const uint32_t tiles = LayOutTiles(options.kind, options.colors, 1).tiles();
+  diagnostics.Error(
+      DiagnosticKind::kSizeLimit, range,
+      fmt::format("the tiles of '{}' have {} texels a side; {} to {} are possible where a pack has "
+                  "{}{}",
+                  Printable(name), options.tile_size, kMinTileSize, largest,
+                  tiles == 1 ? "1 tile" : fmt::format("{} tiles", tiles),
+                  maps == 1 ? "" : fmt::format(" and there are {} packs", maps)));
   return false;
 }
 
@@ -306,9 +313,10 @@ uint32_t LargestTileOfSample(uint32_t width, uint32_t height, bool wraps) {
 }
 
 bool CheckTileSet(const TileSetOptions& options, uint32_t sample_width, uint32_t sample_height,
-                  std::string_view name, SourceRange range, Diagnostics& diagnostics) {
+                  std::string_view name, SourceRange range, Diagnostics& diagnostics,
+                  uint64_t maps) {
   bool good = CheckColors(options, name, range, diagnostics) &&
-              CheckSize(options, name, range, diagnostics) &&
+              CheckSize(options, maps, name, range, diagnostics) &&
               CheckSample(options, sample_width, sample_height, name, range, diagnostics);
   if (options.candidates < kMinCandidates || options.candidates > kMaxTileCandidates) {
     diagnostics.Error(
@@ -325,12 +333,10 @@ std::optional<TileSet> MakeTileSet(std::span<const Image> maps, std::span<const 
                                    SourceRange range, Diagnostics& diagnostics,
                                    const TileProgress& progress) {
   if (!CheckMaps(maps, name, range, diagnostics) ||
-      !CheckTileSet(options, maps[0].width, maps[0].height, name, range, diagnostics)) {
+      !CheckTileSet(options, maps[0].width, maps[0].height, name, range, diagnostics,
+                    maps.size())) {
     return std::nullopt;
   }
-  const TilePackLayout layout = LayOutTiles(options.kind, options.colors, options.tile_size);
-  const uint64_t pixels = uint64_t{layout.width()} * layout.height();
-  if (!CheckPixels(pixels * maps.size(), name, range, diagnostics)) return std::nullopt;
   try {
     uint32_t scales = ScalesOfTile(options.tile_size);
     while ((options.tile_size >> (scales - 1)) > kSearchSide) ++scales;

@@ -34,6 +34,10 @@ struct TileSetOptions {
   // with one of its colours have: that repeats, but it has the fewest seams. For samples without
   // order.
   bool own_middles = false;
+  // Patches are also chosen so that the light parts of one are the dark parts of others: else what
+  // is light in all of them comes again in every tile, a grid seen from afar. For samples without
+  // order.
+  bool even = false;
   uint32_t threads = 0;  // 0: as many as there are cores
 };
 
@@ -72,8 +76,10 @@ uint32_t LargestTileOfSample(uint32_t width, uint32_t height, bool wraps);
 
 // False, with all that is wrong reported and what would do: kSizeLimit for colours, candidates and
 // packs beyond the limits, kBadImage for a sample that is too small.
+// `maps`: of one material, which all have a pack.
 bool CheckTileSet(const TileSetOptions& options, uint32_t sample_width, uint32_t sample_height,
-                  std::string_view name, SourceRange range, Diagnostics& diagnostics);
+                  std::string_view name, SourceRange range, Diagnostics& diagnostics,
+                  uint64_t maps = 1);
 
 // `weights`: how much each map counts where seams are searched; none, or none above 0: all
 // alike. Reported, naming `name`: all of CheckTileSet, kBadImage for no maps or maps of different

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Samples for tiling by example: a lawn, and gravel with its relief. They repeat without a seam,
 // and each has a few things that everybody notices, so that a plain repetition is seen at once.
-// Grass has nothing but blades: of it tiles are made.
+// Grass, dry grass and earth have nothing that stands out: of them tiles are made.
 #include <cmath>
+#include <functional>
 
 #include "graphs/pictures/things.h"
 
@@ -12,6 +13,10 @@ namespace {
 
 constexpr uint32_t kLawn = 700000;
 constexpr uint32_t kGravel = 710000;
+constexpr uint32_t kEarth = 730000;
+
+constexpr Color kDarkSoil{0.13, 0.15, 0.06};
+constexpr Color kLightSoil{0.27, 0.23, 0.12};
 
 // Lays a thing, and what of it comes in again on the other side.
 template <typename Lay>
@@ -34,31 +39,37 @@ double Dryness(Point p) {
   return Clamp(0.95 * spot + 0.75 * SmoothStep(0.28, 0.75, clouds), 0, 1);
 }
 
-void LaySoil(Canvas& canvas) {
-  canvas.Fill([](Point p) {
+void LaySoil(Canvas& canvas, Color dark, Color light) {
+  canvas.Fill([=](Point p) {
     const double crumb = Fractal(p * 24, 3, kLawn + 1, 24);
-    return Mix({0.13, 0.15, 0.06}, {0.27, 0.23, 0.12}, SmoothStep(-0.5, 0.6, crumb));
+    return Mix(dark, light, SmoothStep(-0.5, 0.6, crumb));
   });
 }
 
-// `dryness`: how much of the lawn's is in it.
-void LayBlades(Canvas& canvas, int across, int layer, double dryness) {
+struct Turf {
+  std::function<double(Point)> dryness;
+  double straw = 0;   // the share of blades that are dry anywhere
+  double clumps = 1;  // how much lighter and darker parts differ
+};
+
+void LayBlades(Canvas& canvas, int across, int layer, const Turf& turf) {
   const uint32_t seed = kLawn + 1000 + static_cast<uint32_t>(100 * layer);
   for (int i = 0; i < across * across; ++i) {
     const int shuffled = static_cast<int>(int64_t{i} * 7919 % (across * across));
     const int x = shuffled % across;
     const int y = shuffled / across;
     const Point at{(x + Random(x, y, seed)) / across, (y + Random(x, y, seed + 1)) / across};
-    const double dry = dryness * Dryness(at);
+    const double dry = turf.dryness(at);
     const double length = (0.030 + 0.040 * Random(x, y, seed + 2)) * (1 - 0.35 * dry);
     const Point along = Direction(x, y, seed + 3);
     const double bend = 0.25 * length * (2 * Random(x, y, seed + 4) - 1);
     const double width = 0.0032 + 0.0024 * Random(x, y, seed + 5);
     const double clump = Fractal(at * 7, 3, kLawn + 21, 7);
-    const double tone = Clamp(0.45 + 0.5 * clump + 0.6 * (Random(x, y, seed + 6) - 0.5), 0, 1);
+    const double tone =
+        Clamp(0.45 + 0.5 * turf.clumps * clump + 0.6 * (Random(x, y, seed + 6) - 0.5), 0, 1);
     const Color green = Mix({0.15, 0.30, 0.08}, {0.47, 0.62, 0.20}, tone);
     const Color straw = Mix({0.55, 0.48, 0.22}, {0.83, 0.76, 0.46}, Random(x, y, seed + 7));
-    const bool is_dry = Random(x, y, seed + 8) < dryness * 0.05 + 0.85 * dry;
+    const bool is_dry = Random(x, y, seed + 8) < turf.straw + 0.85 * dry;
     const Color color = (is_dry ? straw : green) * (0.70 + 0.15 * layer);
     LayAround(at, 0.08, [&](Point foot) {
       canvas.Stroke(foot, foot + along * length, bend, width, color * 0.70, color * 1.18);
@@ -79,6 +90,47 @@ void LayFlowers(Canvas& canvas) {
     if (Dryness(place) > 0.4) continue;
     const uint32_t seed = kLawn + 50000 + static_cast<uint32_t>(100 * i);
     LayAround(place, 0.05, [&](Point at) { LayClover(canvas, at, 0.024, seed); });
+  }
+}
+
+// ---- Earth: clods and crumbs, small stones, a blade here and there.
+
+void LayCrumbs(Canvas& canvas) {
+  canvas.Fill([](Point p) {
+    const double clod = Fractal(p * 22, 3, kEarth + 1, 22);
+    const double crumb = Fractal(p * 38, 3, kEarth + 2, 38);
+    const double tone = Clamp(0.5 + 0.45 * clod + 0.55 * crumb, 0, 1);
+    return Mix({0.23, 0.17, 0.11}, {0.53, 0.42, 0.29}, tone);
+  });
+}
+
+void LayStones(Canvas& canvas) {
+  for (int i = 0; i < 1000; ++i) {
+    const auto random = [&](int which) { return Random(i, which, kEarth + 11); };
+    const Point place{random(0), random(1)};
+    const double size = 0.0030 + 0.0150 * random(2) * random(2) * random(3);
+    const Point along = Direction(i, 4, kEarth + 11);
+    const Point sizes{size, size * (0.6 + 0.35 * random(5))};
+    const Color color = Mix({0.36, 0.31, 0.25}, {0.66, 0.60, 0.52}, random(6));
+    const Point away{0.0013 + 0.1 * size, 0.0016 + 0.12 * size};
+    LayAround(place, 0.03, [&](Point at) {
+      canvas.Spot(at + away, along, sizes * 1.12, {0.12, 0.09, 0.06}, 0.7, 0.4);
+      canvas.Spot(at, along, sizes, color * 0.85, 1, 0.15);
+      canvas.Spot(at - away * 0.6, along, sizes * 0.6, color * 1.15, 0.8, 0.8);
+    });
+  }
+}
+
+void LayTufts(Canvas& canvas) {
+  for (int i = 0; i < 170; ++i) {
+    const Point place{Random(i, 0, kEarth + 21), Random(i, 1, kEarth + 21)};
+    const Point along = Direction(i, 2, kEarth + 21);
+    const double length = 0.02 + 0.035 * Random(i, 3, kEarth + 21);
+    const double bend = 0.3 * length * (2 * Random(i, 4, kEarth + 21) - 1);
+    const Color color = Mix({0.33, 0.38, 0.15}, {0.70, 0.61, 0.36}, Random(i, 5, kEarth + 21));
+    LayAround(place, 0.06, [&](Point foot) {
+      canvas.Stroke(foot, foot + along * length, bend, 0.0026, color * 0.75, color);
+    });
   }
 }
 
@@ -148,17 +200,45 @@ Surface GravelSurface(Point p) {
 
 Picture MakeLawn() {
   Canvas canvas(256, 256);
-  LaySoil(canvas);
-  for (int layer = 0; layer < 3; ++layer) LayBlades(canvas, 44, layer, 1);
+  LaySoil(canvas, kDarkSoil, kLightSoil);
+  for (int layer = 0; layer < 3; ++layer) LayBlades(canvas, 44, layer, {Dryness, 0.05});
   LayFlowers(canvas);
   return Coarse(canvas.FinishOpaque());
 }
 
 Picture MakeGrass() {
   Canvas canvas(256, 256);
-  LaySoil(canvas);
-  for (int layer = 0; layer < 3; ++layer) LayBlades(canvas, 44, layer, 0);
+  LaySoil(canvas, kDarkSoil, kLightSoil);
+  const Turf turf{[](Point) { return 0.0; }, 0, 0};
+  for (int layer = 0; layer < 3; ++layer) LayBlades(canvas, 44, layer, turf);
   return Coarse(canvas.FinishOpaque());
+}
+
+Picture MakeDryGrass() {
+  Canvas canvas(256, 256);
+  LaySoil(canvas, {0.29, 0.26, 0.13}, {0.44, 0.39, 0.21});
+  const Turf turf{[](Point) { return 0.9; }, 0.04, 0};
+  for (int layer = 0; layer < 3; ++layer) LayBlades(canvas, 40, layer, turf);
+  return Coarse(canvas.FinishOpaque());
+}
+
+Picture MakeEarth() {
+  Canvas canvas(256, 256);
+  LayCrumbs(canvas);
+  LayStones(canvas);
+  LayTufts(canvas);
+  return Coarse(canvas.FinishOpaque());
+}
+
+// Red, green and blue, side by side: what is of the first, second and third kind.
+Picture MakeKinds() {
+  return Paint(12, 4, false,
+               {[](Point) { return 0.0; },
+                [](Point p) {
+                  return Surface{
+                      {p.x < 1 ? 1.0 : 0.0, p.x >= 1 && p.x < 2 ? 1.0 : 0.0, p.x >= 2 ? 1.0 : 0.0}};
+                },
+                0});
 }
 
 Picture MakeGravel() {

@@ -68,10 +68,11 @@ TEST(PicturesTest, FilesAreSmall) {
 
 // The step from the last row or column to the first is like the steps inside.
 TEST(PicturesTest, PicturesToTileWithRepeatWithoutASeam) {
-  for (const char* name : {"brick_wall/mortar.png", "first_wall/mortar.png", "hallway/plaster.png",
-                           "hallway/plaster_relief.png", "painted_wood/wood.png",
-                           "grass_tiles/grass.png", "hex_tiling/lawn.png", "hex_tiling/gravel.png",
-                           "hex_tiling/gravel_height.png", "hex_tiling/gravel_relief.png"}) {
+  for (const char* name :
+       {"brick_wall/mortar.png", "first_wall/mortar.png", "hallway/plaster.png",
+        "hallway/plaster_relief.png", "painted_wood/wood.png", "grass_tiles/grass.png",
+        "plain/dry_grass.png", "plain/earth.png", "pebbles/pebbles.png", "hex_tiling/lawn.png",
+        "hex_tiling/gravel.png", "hex_tiling/gravel_height.png", "hex_tiling/gravel_relief.png"}) {
     SCOPED_TRACE(name);
     Picture picture = ReadPng(std::string(TEXGRAPH_SOURCE_DIR) + "/graphs/" + name);
     ASSERT_FALSE(picture.has_alpha);

@@ -343,10 +343,16 @@ TEST(TileSetTest, SaysWhatWouldDo) {
   EXPECT_EQ(ErrorOf(maps, SmallTiles(TileKind::kWang, {2, 0}, 16), DiagnosticKind::kSizeLimit),
             "the tiles of 'grass' have 2 and 0 edge colours; 1 to 4 of each are possible");
   EXPECT_EQ(ErrorOf(maps, SmallTiles(TileKind::kWang, {2, 4}, 3), DiagnosticKind::kSizeLimit),
-            "the tiles of 'grass' have 3 texels a side; with these colours 4 to 1024 are possible");
-  EXPECT_EQ(
-      ErrorOf(maps, SmallTiles(TileKind::kCorner, {4, 4}, 964), DiagnosticKind::kSizeLimit),
-      "the tiles of 'grass' have 964 texels a side; with these colours 4 to 963 are possible");
+            "the tiles of 'grass' have 3 texels a side; 4 to 1024 are possible where a pack has 64 "
+            "tiles");
+  // 7952 x 8450 texels are more than 2^26.
+  EXPECT_EQ(ErrorOf(maps, SmallTiles(TileKind::kCorner, {4, 4}, 497), DiagnosticKind::kSizeLimit),
+            "the tiles of 'grass' have 497 texels a side; 4 to 496 are possible where a pack has "
+            "256 tiles");
+  const std::vector<Image> three(3, sample);
+  EXPECT_EQ(ErrorOf(three, SmallTiles(TileKind::kCorner, {2, 2}, 1183), DiagnosticKind::kSizeLimit),
+            "the tiles of 'grass' have 1183 texels a side; 4 to 1182 are possible where a pack has "
+            "16 tiles and there are 3 packs");
   TileSetOptions few = SmallTiles(TileKind::kWang, {2, 2}, 16);
   few.candidates = 7;
   EXPECT_EQ(ErrorOf(maps, few, DiagnosticKind::kSizeLimit),
