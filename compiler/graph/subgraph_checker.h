@@ -172,6 +172,7 @@ class SubgraphChecker {
   std::optional<BoundPort> BindColors(const Target& target, const blocks::Overload& overload,
                                       const Node& node);
   void CheckColors(const CheckedNode& checked, const blocks::Overload& overload);
+  void CheckCorners(const CheckedNode& checked, size_t tiles);
 
   // transition_sets.cc: patterns for all corners that differ.
   void CheckTransitions(const CheckedNode& checked, const blocks::Overload& overload,

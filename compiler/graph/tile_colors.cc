@@ -36,6 +36,14 @@ std::optional<BoundPort> SubgraphChecker::BindColors(const Target& target,
   const NamedTexture named = TextureAt(node, overload.inputs[*port.colors_of].name);
   if (!named.texture) return std::nullopt;
   const Texture& texture = *named.texture;
+  if (texture.kind == TextureKind::kCorners) {
+    check_.diagnostics
+        .Error(DiagnosticKind::kTileColors, named.range,
+               fmt::format("block '{}' takes tiles, but '{}' is a pack of corners", node.block,
+                           texture.name))
+        .AddNote(texture.range, fmt::format("'{}' is here", texture.name));
+    return std::nullopt;
+  }
   if (!texture.HasTiles()) return BindDefault(target, node.range);
   const std::span<const uint32_t> colors = ColorsFor(port, texture);
   if (colors.empty()) {
@@ -56,6 +64,7 @@ void SubgraphChecker::CheckColors(const CheckedNode& checked, const blocks::Over
   for (size_t i = 0; i < overload.inputs.size(); ++i) {
     const blocks::Port& port = overload.inputs[i];
     if (!port.colors_of) continue;
+    CheckCorners(checked, *port.colors_of);
     const auto* value = std::get_if<ConstantValue>(&checked.inputs[i].source);
     const auto* ref = std::get_if<TextureRef>(&checked.inputs[*port.colors_of].source);
     if (!value || !value->value || !ref) continue;
@@ -69,6 +78,24 @@ void SubgraphChecker::CheckColors(const CheckedNode& checked, const blocks::Over
                            "texture says",
                            place.Text(), texture.name, ColorsText(texture)))
         .AddNote(texture.range, fmt::format("'{}' is here", texture.name));
+  }
+}
+
+// A pack of corners beside tiles at port `tiles` is that of these tiles.
+void SubgraphChecker::CheckCorners(const CheckedNode& checked, size_t tiles) {
+  const auto* ref = std::get_if<TextureRef>(&checked.inputs[tiles].source);
+  if (!ref || !check_.graph.textures[ref->texture].HasTiles()) return;
+  for (const BoundPort& input : checked.inputs) {
+    const auto* other = std::get_if<TextureRef>(&input.source);
+    if (!other) continue;
+    const Texture& corners = check_.graph.textures[other->texture];
+    if (corners.kind != TextureKind::kCorners || corners.of == ref->texture) continue;
+    const std::string_view shown = check_.graph.textures[ref->texture].name;
+    check_.diagnostics
+        .Error(DiagnosticKind::kTileColors, input.range,
+               fmt::format("'{}' has the corners of '{}', but node '{}' shows '{}'", corners.name,
+                           check_.graph.textures[*corners.of].name, checked.node->name, shown))
+        .AddNote(corners.range, fmt::format("\"corners\": \"{}\" would do here", shown));
   }
 }
 
