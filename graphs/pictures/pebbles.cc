@@ -14,8 +14,8 @@ namespace texgraph::pictures {
 namespace {
 
 constexpr uint32_t kPile = 720000;
-constexpr int kSide = 256;        // of the pictures
-constexpr int kFine = 2 * kSide;  // of what they are the mean of
+constexpr int kPebblesSide = 256;        // of the pictures
+constexpr int kFine = 2 * kPebblesSide;  // of what they are the mean of
 constexpr double kLargest = 0.033;
 constexpr double kSmallest = 0.0058;
 constexpr double kSmaller = 0.93;  // each size is this part of the one before
@@ -273,9 +273,9 @@ uint8_t Byte(double value) { return static_cast<uint8_t>(Clamp(value, 0, 1) * 25
 // A picture whose pixels are made of four places of the grid each.
 template <typename PixelOf>
 Picture MakePicture(const PixelOf& pixel_of) {
-  Picture picture{kSide, kSide, false, {}};
-  for (int y = 0; y < kSide; ++y) {
-    for (int x = 0; x < kSide; ++x) {
+  Picture picture{kPebblesSide, kPebblesSide, false, {}};
+  for (int y = 0; y < kPebblesSide; ++y) {
+    for (int x = 0; x < kPebblesSide; ++x) {
       Point3 sum;
       for (int i = 0; i < 4; ++i) {
         const Point3 part = pixel_of(2 * x + i % 2, 2 * y + i / 2);
