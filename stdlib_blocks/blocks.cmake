@@ -11,6 +11,7 @@ set(TEXGRAPH_STDLIB_BLOCKS
   bombing/bomb_rivals.glsl
   bombing/copy_bits.glsl
   bombing/copy_bits3.glsl
+  by_example/color_map_2d.glsl
   by_example/corner_cube_place.glsl
   by_example/corner_cubes.glsl
   by_example/corner_tile_place.glsl
@@ -19,6 +20,9 @@ set(TEXGRAPH_STDLIB_BLOCKS
   by_example/hex_shares.glsl
   by_example/hex_tiling.glsl
   by_example/hex_tiling_normal.glsl
+  by_example/histogram_tiling.glsl
+  by_example/noise_field.glsl
+  by_example/noise_offset.glsl
   by_example/pack_place.glsl
   by_example/permutation_wang_tiles.glsl
   by_example/tile_index.glsl

@@ -107,6 +107,7 @@ std::vector<NamedPicture> Pictures() {
       {"led_board/lamps.png", MakeLamps},
       {"led_board/message.png", MakeMessage},
       {"moving_sprites/insects.png", MakeInsects},
+      {"noise_by_example/lichen_map.png", MakeLichenMap},
       {"opening_flowers/flower.png", MakeOpeningFlower},
       {"painted_wood/wood.png", MakeWood},
       {"pebbles/pebbles.png", MakePebbles},

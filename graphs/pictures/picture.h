@@ -94,6 +94,7 @@ Picture MakeDaisy();
 Picture MakeFlowers();
 Picture MakeFlowerBeds();
 Picture MakeGranite();
+Picture MakeLichenMap();
 Picture MakeGrass();
 Picture MakeDryGrass();
 Picture MakeEarth();
