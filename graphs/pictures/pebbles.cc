@@ -270,21 +270,37 @@ std::vector<double> Blurred(const std::vector<double>& heights, int reach) {
 
 uint8_t Byte(double value) { return static_cast<uint8_t>(Clamp(value, 0, 1) * 255 + 0.5); }
 
-// A picture whose pixels are made of four places of the grid each.
+// The mean of what the four places of the grid have that a pixel is made of.
+template <typename PartOf>
+Point3 MeanOf(int x, int y, const PartOf& part_of) {
+  Point3 sum;
+  for (int i = 0; i < 4; ++i) {
+    const Point3 part = part_of(2 * x + i % 2, 2 * y + i / 2);
+    sum = {sum.x + part.x / 4, sum.y + part.y / 4, sum.z + part.z / 4};
+  }
+  return sum;
+}
+
 template <typename PixelOf>
 Picture MakePicture(const PixelOf& pixel_of) {
   Picture picture{kPebblesSide, kPebblesSide, false, {}};
   for (int y = 0; y < kPebblesSide; ++y) {
     for (int x = 0; x < kPebblesSide; ++x) {
-      Point3 sum;
-      for (int i = 0; i < 4; ++i) {
-        const Point3 part = pixel_of(2 * x + i % 2, 2 * y + i / 2);
-        sum = {sum.x + part.x / 4, sum.y + part.y / 4, sum.z + part.z / 4};
-      }
-      picture.pixels.insert(picture.pixels.end(), {Byte(sum.x), Byte(sum.y), Byte(sum.z)});
+      const Point3 pixel = pixel_of(x, y);
+      picture.pixels.insert(picture.pixels.end(), {Byte(pixel.x), Byte(pixel.y), Byte(pixel.z)});
     }
   }
   return picture;
+}
+
+// The same number in all three channels.
+Picture MakeGrey(const std::vector<double>& values, double unit) {
+  return MakePicture([&](int x, int y) {
+    return MeanOf(x, y, [&](int column, int row) {
+      const double value = values[IndexOf(column, row)] / unit;
+      return Point3{value, value, value};
+    });
+  });
 }
 
 }  // namespace
@@ -293,45 +309,36 @@ Picture MakePebbles() {
   const Maps maps = MakeMaps();
   const std::vector<double> near = Blurred(maps.heights, 4);
   const std::vector<double> around = Blurred(maps.heights, 11);
-  return Coarse(MakePicture([&](int x, int y) {
+  const auto lit = [&](int x, int y) {
     const size_t i = IndexOf(x, y);
     // Little light of the sky comes to what lies lower than what is around it.
     const double below = std::max(near[i] - maps.heights[i], 0.0) * 85 +
                          std::max(around[i] - maps.heights[i], 0.0) * 55;
     const Color color = maps.colors[i] * (1 / (1 + below));
     return Point3{color.r, color.g, color.b};
-  }));
+  };
+  return Coarse(MakePicture([&](int x, int y) { return MeanOf(x, y, lit); }));
 }
 
 // From 0, the lowest place, to 1.
-Picture MakePebblesHeight() {
-  const Maps maps = MakeMaps();
-  return MakePicture([&](int x, int y) {
-    const double height = maps.heights[IndexOf(x, y)] / kHighest;
-    return Point3{height, height, height};
-  });
-}
+Picture MakePebblesHeight() { return MakeGrey(MakeMaps().heights, kHighest); }
 
 Picture MakePebblesRelief() {
   const Maps maps = MakeMaps();
-  return MakePicture([&](int x, int y) {
+  const auto slope = [&](int x, int y) {
     const auto step = [&](int dx, int dy) {
       return (maps.heights[IndexOf(x + dx, y + dy)] - maps.heights[IndexOf(x - dx, y - dy)]) *
              kFine / 2;
     };
-    const double across = step(1, 0);
-    const double down = step(0, 1);
-    const double length = std::sqrt(1 + across * across + down * down);
-    return Point3{0.5 - 0.5 * across / length, 0.5 + 0.5 * down / length, 0.5 + 0.5 / length};
+    return Point3{step(1, 0), step(0, 1), 0};
+  };
+  return MakePicture([&](int x, int y) {
+    const Point3 mean = MeanOf(x, y, slope);
+    const double length = std::sqrt(1 + mean.x * mean.x + mean.y * mean.y);
+    return Point3{0.5 - 0.5 * mean.x / length, 0.5 + 0.5 * mean.y / length, 0.5 + 0.5 / length};
   });
 }
 
-Picture MakePebblesRoughness() {
-  const Maps maps = MakeMaps();
-  return MakePicture([&](int x, int y) {
-    const double roughness = maps.roughness[IndexOf(x, y)];
-    return Point3{roughness, roughness, roughness};
-  });
-}
+Picture MakePebblesRoughness() { return MakeGrey(MakeMaps().roughness, 1); }
 
 }  // namespace texgraph::pictures

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Graphs on photographs, tests/graphs/brick_photo/ and leaf_photo/. The photographs are not part of
-// the project: TEXGRAPH_DATA names their folder, else it is ../shared/data beside the source;
-// without them the tests are skipped.
+// Graphs on photographs, tests/graphs/brick_photo/, leaf_photo/ and tile_photos/. The photographs
+// are not part of the project: TEXGRAPH_DATA names their folder, else it is ../shared/data beside
+// the source; without them the tests are skipped.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,6 +12,8 @@
 #include <sstream>
 
 #include "compiler/compile.h"
+#include "compiler/textures/image.h"
+#include "compiler/textures/tile_set.h"
 #include "tests/blocks/run_block.h"
 
 namespace texgraph::blocks {
@@ -106,6 +108,53 @@ TEST_F(PhotographsTest, LeavesLieOnTheGround) {
   }
   EXPECT_NEAR(leaves / static_cast<double>(kSide * kSide), 0.28, 0.03);
 }
+
+TEST_F(PhotographsTest, TilesCompileForEveryTarget) {
+  for (Target target : {Target::kGlsl330, Target::kGlsl450, Target::kSpirv}) {
+    Sources sources;
+    Diagnostics diagnostics;
+    SourceId source =
+        sources.Add(DataFolder() + "tile_photos.jsonc", GraphText("tile_photos/tile_photos.jsonc"));
+    CompileOptions options;
+    options.target = target;
+    EXPECT_TRUE(Compile(source, graph::DocumentFormat::kJsonc, options, sources, diagnostics))
+        << FormatDiagnostics(diagnostics, sources, false);
+  }
+}
+
+struct Photograph {
+  const char* file;
+  uint32_t tile_size;
+  double ratio;  // of seams at most, as docs/by_example.md says, and a fifth for few candidates
+};
+
+class TilesOfPhotographs : public testing::TestWithParam<Photograph> {};
+
+TEST_P(TilesOfPhotographs, SeamsAreNoWorseThanTheManualSays) {
+  const std::string path = DataFolder() + GetParam().file;
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << "no photographs in " << DataFolder();
+  Diagnostics diagnostics;
+  const auto photograph = textures::ReadImage(path, {}, diagnostics);
+  ASSERT_TRUE(photograph);
+  textures::TileSetOptions options;
+  options.tile_size = GetParam().tile_size;
+  options.candidates = 16;
+  const auto set =
+      textures::MakeTileSet({&*photograph, 1}, {}, options, "photograph", {}, diagnostics);
+  ASSERT_TRUE(set);
+  EXPECT_EQ(set->packs[0].width, 4 * options.tile_size);
+  EXPECT_GT(set->quality.mean, 0.5);
+  EXPECT_LT(set->quality.mean, 1.2 * GetParam().ratio);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Photographs, TilesOfPhotographs,
+    testing::Values(Photograph{"brick_base_gray.jpg", 128, 1.05},
+                    Photograph{"wood_color.jpg", 128, 1.69},
+                    Photograph{"quilting_input.png", 64, 2.41}),
+    [](const auto& info) {
+      return std::string(info.param.file).substr(0, std::string(info.param.file).find('.'));
+    });
 
 }  // namespace
 }  // namespace texgraph::blocks
