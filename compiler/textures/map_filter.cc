@@ -43,11 +43,12 @@ void FilterRow(const Rows& from, const GaussianWeights& weights, uint32_t texels
   const size_t first = size_t{weights.first} * from.stride;
   for (uint32_t block = 0; block * kBlockTexels < texels; ++block) {
     std::array<float, kBlock> sums{};
-    const float* row = &from.values[first + size_t{block} * kBlock];
+    size_t at = first + size_t{block} * kBlock;
     for (const double weight : weights.weights) {
       const auto w = static_cast<float>(weight);
+      const float* row = &from.values[at];
       for (uint32_t i = 0; i < kBlock; ++i) sums[i] += w * row[i];
-      row += from.stride;
+      at += from.stride;
     }
     const uint32_t count = std::min(kBlockTexels, texels - block * kBlockTexels);
     for (uint32_t t = 0; t < count; ++t) {

@@ -259,6 +259,61 @@ TEST(ColorMap2dTest, MixesLayersBySquares) {
   }
 }
 
+// A map of three hard sectors over two noises: from far away the mean stays, and each pixel is near
+// to the mean of what is in it; nearer than without the deviation.
+TEST(ColorMap2dTest, FiltersWhatNoiseMakesOfIt) {
+  const ir::Texture noise = Exemplar(128, 4);
+  textures::Image sectors = RandomMap(64, 64, 3);
+  for (uint32_t i = 0; i < 64 * 64; ++i) {
+    const double turns = std::atan2(i / 64 - 31.5, i % 64 - 31.5) / 6.2831853 + 0.5;
+    const auto which = static_cast<uint32_t>(turns * 3);
+    for (uint32_t c = 0; c < 3; ++c) sectors.pixels[3 * i + c] = c == which ? 255 : 0;
+  }
+  Diagnostics diagnostics;
+  textures::TextureOptions how;
+  how.srgb = false;
+  const ir::Texture map = ToTexture(*MakeColorMap(sectors, how, {}, "map", {}, diagnostics));
+  const auto color = [&](const std::map<std::string, Values>& field, bool filtered) {
+    Values none = Vectors({{0, 0}});
+    return RunBlock("color_map_2d", {{"map", map},
+                                     {"value", field.at("value")},
+                                     {"deviation", filtered ? field.at("deviation") : none}});
+  };
+  constexpr int kSide = 16;
+  constexpr double kPixel = 16.0 / 128;
+  std::mt19937 random(9);
+  std::vector<Vector> middles, inside;
+  for (int i = 0; i < 100; ++i) {
+    middles.push_back({random() * 0x1p-32 * 50, random() * 0x1p-32 * 50});
+    for (int k = 0; k < kSide * kSide; ++k) {
+      inside.push_back({middles.back()[0] + ((k % kSide + 0.5) / kSide - 0.5) * kPixel,
+                        middles.back()[1] + ((k / kSide + 0.5) / kSide - 0.5) * kPixel});
+    }
+  }
+  auto near = color(Field(noise, inside, 1, 1), false);
+  const auto far = Field(noise, Quads(middles, kPixel), 2, 1);
+  auto filtered = color(far, true);
+  auto plain = color(far, false);
+  double error = 0, plain_error = 0;
+  std::array<double, 3> bias{};
+  for (size_t i = 0; i < middles.size(); ++i) {
+    double square = 0, plain_square = 0;
+    for (size_t c = 0; c < 3; ++c) {
+      double mean = 0;
+      for (size_t k = 0; k < kSide * kSide; ++k)
+        mean += near["result"].Float(i * kSide * kSide + k, c) / (kSide * kSide);
+      square += std::pow(filtered["result"].Float(4 * i, c) - mean, 2);
+      plain_square += std::pow(plain["result"].Float(4 * i, c) - mean, 2);
+      bias[c] += (filtered["result"].Float(4 * i, c) - mean) / double(middles.size());
+    }
+    error += std::sqrt(square) / double(middles.size());
+    plain_error += std::sqrt(plain_square) / double(middles.size());
+  }
+  EXPECT_LT(error, 0.5 * plain_error);
+  // Two standard deviations of the mean of 100 such pixels.
+  for (const double channel : bias) EXPECT_NEAR(channel, 0, 0.02);
+}
+
 struct Picture {
   ir::Texture noise, table;
   std::array<double, 3> mean{}, deviation{};
