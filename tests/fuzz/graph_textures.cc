@@ -2,6 +2,7 @@
 #include "tests/fuzz/graph_textures.h"
 
 #include <cstring>
+#include <map>
 #include <vector>
 
 #include "compiler/manifest/graph_textures.h"
@@ -31,19 +32,40 @@ textures::TextureData AsFloats(textures::TextureData data, bool mipmaps) {
   return data;
 }
 
+using Derived = std::map<uint32_t, std::shared_ptr<const textures::TextureData>>;
+
+// All at once: maps of one material are cut once. If one cannot be made, each by itself.
+Derived DeriveAll(const graph::Graph& graph, const std::string& folder) {
+  Derived derived;
+  Diagnostics diagnostics;
+  const std::vector<bool> used(graph.textures.size(), true);
+  if (const auto all = manifest::DeriveTextures(graph, used, folder, {}, diagnostics)) {
+    for (const manifest::DerivedTexture& made : *all) derived[made.texture] = made.data;
+    return derived;
+  }
+  for (uint32_t t = 0; t < graph.textures.size(); ++t) {
+    if (!graph.textures[t].IsDerived() || graph::FirstEqualTexture(graph, t) != t) continue;
+    if (auto data = manifest::MakeGraphTexture(graph, t, folder, {}, diagnostics)) {
+      derived[t] = std::make_shared<const textures::TextureData>(std::move(*data));
+    }
+  }
+  return derived;
+}
+
 }  // namespace
 
 GraphTextures LoadGraphTextures(const graph::Graph& graph, const std::string& folder,
                                 bool mipmaps) {
   GraphTextures loaded;
+  const Derived derived = DeriveAll(graph, folder);
   for (uint32_t t = 0; t < graph.textures.size(); ++t) {
     const graph::Texture& texture = graph.textures[t];
     Diagnostics diagnostics;
     if (texture.IsDerived()) {
-      auto data = manifest::MakeGraphTexture(graph, t, folder, {}, diagnostics);
-      if (!data) continue;
+      const auto made = derived.find(graph::FirstEqualTexture(graph, t));
+      if (made == derived.end()) continue;
       loaded[std::string(texture.name)] =
-          std::make_shared<textures::TextureData>(AsFloats(std::move(*data), mipmaps));
+          std::make_shared<textures::TextureData>(AsFloats(*made->second, mipmaps));
       continue;
     }
     std::vector<textures::Image> layers;

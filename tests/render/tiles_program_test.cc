@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <vector>
@@ -171,6 +172,38 @@ TEST_F(TilesInAGraph, AreFilteredAsAnOrdinaryTexture) {
     if (deviation == 0) deviation = std::sqrt(squares / count - sum / count * (sum / count));
     EXPECT_GT(deviation, 1000);
     EXPECT_LE(std::sqrt(difference / count) / deviation, limit) << size;
+  }
+}
+
+// The keys of a graph and the options of the command mean the same.
+TEST_F(TilesInAGraph, AreCutAsTheCommandCutsThem) {
+  const Outcome made = Make({"grass.png", "--tile-size", std::to_string(kTile), "--candidates",
+                             "16", "--seed", "3", "--even", "--own-middles", "-o", "pack.png"})
+                           .Run();
+  ASSERT_EQ(made.exit_code, 0) << made.error;
+  for (const bool all : {true, false}) {
+    folder.Write("graph.json", fmt::format(R"({{ "texgraph": 1,
+      "textures": {{ "grass": {{ "tiles": "grass.png", "tile_size": {}, "candidates": 16, "seed": 3,
+                                "even": true, "own_middles": {} }} }},
+      "nodes": {{ "tiles": {{ "block": "corner_tiles", "in": {{ "tiles": "grass",
+                                                              "tiling": {} }} }} }},
+      "outputs": {{ "color": "tiles.color" }} }})",
+                                           kTile, all, kTiling));
+    Program render = Make({});
+    render.arguments = {"render",    "graph.json", "-o",
+                        "drawn.png", "--size",     std::to_string(kTile * kTiling)};
+    const Outcome drawn = render.Run();
+    ASSERT_EQ(drawn.exit_code, 0) << drawn.error;
+    const Image picture = Picture("drawn.png");
+    const Image pack = Picture("pack.png");
+    const TilePackLayout layout = textures::LayOutTiles(TileKind::kCorner, {2, 2}, kTile);
+    size_t found = 0;
+    for (uint32_t i = 0; i < kTiling * kTiling; ++i) {
+      found += std::ranges::any_of(textures::test::AllTiles(layout), [&](const TileColors& colors) {
+        return Difference(picture, i % kTiling, i / kTiling, pack, layout, colors) <= 1;
+      });
+    }
+    EXPECT_EQ(found == kTiling * kTiling, all) << found;
   }
 }
 
