@@ -281,8 +281,10 @@ bool CheckMaps(std::span<const Image> maps, std::string_view name, SourceRange r
     if (map.width == maps[0].width && map.height == maps[0].height) continue;
     diagnostics.Error(
         DiagnosticKind::kBadImage, range,
-        fmt::format("the maps of the sample of '{}' differ in size: {} x {} and {} x {}",
-                    Printable(name), maps[0].width, maps[0].height, map.width, map.height));
+        fmt::format(
+            "the maps of the sample of '{}' differ in size: {} x {} and {} x {}; maps of one "
+            "material are equally large",
+            Printable(name), maps[0].width, maps[0].height, map.width, map.height));
     return false;
   }
   return true;

@@ -111,6 +111,10 @@ TEST_F(TilesFailures, Limits) {
   ExpectFailure({"grass.png", "--tile-size", "3"}, 4, "[size-limit]");
   ExpectFailure({"grass.png", "--tile-size", "0", "--tiling", "t.png"}, 4, "[size-limit]");
   ExpectFailure({"grass.png", "--tile-size", "4294967295"}, 4, "[size-limit]");
+  // Three packs of 4 x 4 tiles of 1183 pixels are more than 2^26 pixels.
+  ExpectFailure({"grass.png", "grass.png", "grass.png", "--tile-size", "1183", "-o", "a.png", "-o",
+                 "b.png", "-o", "c.png"},
+                4, "4 to 1182 are possible where a pack has 16 tiles and there are 3 packs");
   ExpectFailure({"grass.png", "--candidates", "7"}, 4, "8 to 1024 are possible");
   ExpectFailure({"grass.png", "--candidates", "1025"}, 4, "8 to 1024 are possible");
   // 1025 x 1024 tiles of 64 pixels are more than 2^26 pixels.

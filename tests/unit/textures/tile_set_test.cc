@@ -360,7 +360,8 @@ TEST(TileSetTest, SaysWhatWouldDo) {
   EXPECT_EQ(ErrorOf({}, few, DiagnosticKind::kBadImage), "the tiles of 'grass' have no sample");
   const std::vector<Image> differ = {StrokesImage(40, 40, 1, 8, 1), StrokesImage(40, 41, 1, 8, 1)};
   EXPECT_EQ(ErrorOf(differ, SmallTiles(TileKind::kWang, {2, 2}, 16), DiagnosticKind::kBadImage),
-            "the maps of the sample of 'grass' differ in size: 40 x 40 and 40 x 41");
+            "the maps of the sample of 'grass' differ in size: 40 x 40 and 40 x 41; maps of one "
+            "material are equally large");
 }
 
 TEST(TileSetTest, TheLeastSampleIsEnough) {
