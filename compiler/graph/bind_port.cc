@@ -202,7 +202,7 @@ std::string_view WhatItHas(const Texture& texture) {
     case TextureKind::kMeans:
       return "\"means\"";
     case TextureKind::kTiles:
-      return "\"tiles\"";
+      return "\"pack\": \"array\"";
     case TextureKind::kTiling:
       return "a \"tiling\"";
     case TextureKind::kCorners:
@@ -240,10 +240,13 @@ std::optional<BoundPort> SubgraphChecker::BindTexture(const Target& target,
   if (type == target.port.type) {
     return BoundPort{TextureRef{resolved.symbol.index}, type, type, {}, argument.range};
   }
-  std::string_view wants = target.port.type == ir::kSampler2D ? "a texture with one \"file\""
-                           : target.port.type == ir::kSampler2DArray
-                               ? "a texture with \"layers\""
-                               : "a texture with \"pack\": \"volume\" or \"cubes\"";
+  const bool is_tiles = found.kind == TextureKind::kTiles;
+  std::string_view wants = "a texture with \"pack\": \"volume\" or \"cubes\"";
+  if (target.port.type == ir::kSampler2D) {
+    wants = is_tiles ? "tiles with \"pack\": \"atlas\"" : "a texture with one \"file\"";
+  } else if (target.port.type == ir::kSampler2DArray) {
+    wants = is_tiles ? "tiles with \"pack\": \"array\"" : "a texture with \"layers\"";
+  }
   target.place.AddNote(
       check_.diagnostics.Error(DiagnosticKind::kPortType, argument.range,
                                fmt::format("{} takes {}, but '{}' has {}", target.place.Text(),

@@ -13,9 +13,7 @@ namespace texgraph::graph {
 namespace {
 
 // Whether the texture's grid is that of its texels; a sheet in layers has none any more.
-bool HasGrid(const Texture& texture) {
-  return texture.pack == TexturePack::kAtlas || texture.kind == TextureKind::kTiles;
-}
+bool HasGrid(const Texture& texture) { return texture.pack == TexturePack::kAtlas; }
 
 std::array<uint32_t, 2> GridOf(const Texture& texture) {
   return texture.kind == TextureKind::kTiles ? texture.TilesInPack() : texture.grid;

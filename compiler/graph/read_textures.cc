@@ -46,9 +46,9 @@ constexpr std::array<uint64_t, kKindCount> kKeysOfKind = {
     Bit(Key::kSprites) | Bit(Key::kCells) | Bit(Key::kLayers) | Bit(Key::kOf),
     Bit(Key::kMeans) | Bit(Key::kDithered),
     Bit(Key::kTiles) | Bit(Key::kColorSpace) | Bit(Key::kAlpha) | Bit(Key::kFilter) |
-        Bit(Key::kWrap) | Bit(Key::kCornerColors) | Bit(Key::kEdgeColors) | Bit(Key::kTileSize) |
-        Bit(Key::kLike) | Bit(Key::kSeed) | Bit(Key::kCandidates) | Bit(Key::kWeight) |
-        Bit(Key::kOwnMiddles) | Bit(Key::kEven),
+        Bit(Key::kWrap) | Bit(Key::kPack) | Bit(Key::kCornerColors) | Bit(Key::kEdgeColors) |
+        Bit(Key::kTileSize) | Bit(Key::kLike) | Bit(Key::kSeed) | Bit(Key::kCandidates) |
+        Bit(Key::kWeight) | Bit(Key::kOwnMiddles) | Bit(Key::kEven),
     Bit(Key::kTiling) | Bit(Key::kCells) | Bit(Key::kSeed),
     Bit(Key::kCorners),
     Bit(Key::kPermutation) | Bit(Key::kSeed),

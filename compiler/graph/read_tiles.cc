@@ -28,9 +28,10 @@ void GraphReader::ReadTiles(const TextureKeys& keys, Owner owner, Texture& textu
     if (value >= 0) tiles.weight = value;
   }
   if (const DocumentNode* like = at(TextureKey::kLike)) {
-    for (TextureKey key : {TextureKey::kCornerColors, TextureKey::kEdgeColors,
-                           TextureKey::kTileSize, TextureKey::kSeed, TextureKey::kCandidates,
-                           TextureKey::kOwnMiddles, TextureKey::kEven, TextureKey::kWrap}) {
+    for (TextureKey key :
+         {TextureKey::kCornerColors, TextureKey::kEdgeColors, TextureKey::kTileSize,
+          TextureKey::kPack, TextureKey::kSeed, TextureKey::kCandidates, TextureKey::kOwnMiddles,
+          TextureKey::kEven, TextureKey::kWrap}) {
       if (!at(key)) continue;
       diagnostics_
           .Error(DiagnosticKind::kGraphShape, at(key)->key_range,
@@ -41,8 +42,12 @@ void GraphReader::ReadTiles(const TextureKeys& keys, Owner owner, Texture& textu
     return;
   }
   ReadTileColors(keys, owner, texture);
+  ReadWord<TexturePack>(at(TextureKey::kPack), owner,
+                        {{"array", TexturePack::kArray}, {"atlas", TexturePack::kAtlas}},
+                        texture.pack);
+  texture.is_array = texture.pack == TexturePack::kArray;
   // The pack repeats, but where it has gutters.
-  const bool has_gutters = !tiles.has_edge_colors && tiles.colors[0] == 4;
+  const bool has_gutters = !texture.is_array && !tiles.has_edge_colors && tiles.colors[0] == 4;
   texture.wrap_v = has_gutters ? TextureWrap::kClamp : TextureWrap::kRepeat;
   ReadWhole(at(TextureKey::kTileSize), owner, kMinTileSize, kMaxTileSize, tiles.size);
   ReadWhole(at(TextureKey::kSeed), owner, 0, kMaxMapNumber, tiles.seed);
@@ -173,6 +178,8 @@ void GraphReader::ResolveTiles(uint32_t index) {
   const double weight = texture.tiles.weight;
   texture.tiles = other.tiles;
   texture.tiles.weight = weight;
+  texture.pack = other.pack;
+  texture.is_array = other.is_array;
   texture.wrap_v = other.wrap_v;
 }
 

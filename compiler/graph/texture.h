@@ -63,7 +63,8 @@ enum class TextureKind : uint8_t {
 
 std::string_view KindText(TextureKind kind);  // "a map"
 
-// "pack": how the patterns of layers or a sheet lie in one texture.
+// "pack": how the patterns of layers or a sheet lie in one texture, or tiles: in layers of 2 x 2, or
+// all in one picture.
 enum class TexturePack : uint8_t { kArray, kAtlas, kVolume };
 
 // What tiles are made of a sample: textures::TileSetOptions. Of cubes textures::CubeSetOptions,
@@ -222,7 +223,7 @@ struct Texture {
   uint32_t PatternCount() const {
     return kind == TextureKind::kSheet ? grid[0] * grid[1] : static_cast<uint32_t>(files.size());
   }
-  // Columns and rows of the pack of a set of tiles.
+  // Columns and rows of the pack of a set of tiles, if it is one picture.
   std::array<uint32_t, 2> TilesInPack() const {
     const auto [first, second] = tiles.colors;
     if (tiles.has_edge_colors) return {second * second, first * first};

@@ -73,6 +73,7 @@ struct Parameter {
   TypeId type;
   // Template parameters ("const" in a block). Specialize leaves none.
   bool is_template = false;
+  bool repeats = false;  // textures: all that are passed repeat, as Global::repeats says
 };
 
 struct Result {

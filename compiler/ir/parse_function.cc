@@ -125,6 +125,7 @@ bool FunctionParser::ParseParameters() {
     Token name = reader_.TakeKind(TokenKind::kValue, "a parameter");
     reader_.Expect(":");
     parameter.type = reader_.ReadType();
+    parameter.repeats = reader_.Accept("repeats");
     if (!reader_.ok()) return false;
     ValueId v = Parameter(f_.body, name, parameter.type);
     if (NameId id = f_.NameOf(v)) parameter.name = module_.Name(id);

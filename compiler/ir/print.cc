@@ -109,6 +109,7 @@ void FunctionPrinter::PrintHeader() {
     if (i) out_ += ", ";
     if (f_.parameters[i].is_template) out_ += "const ";
     out_.append(names_(v)).append(": ").append(TypeText(f_.parameters[i].type));
+    if (f_.parameters[i].repeats) out_ += " repeats";
   }
   out_ += ") -> ";
   bool bare = f_.results.size() == 1 && f_.results[0].name.empty();

@@ -51,8 +51,9 @@ struct Taps {
 };
 
 // The product with the size is rounded to float, as on GPUs: k / size then means texel k, not the
-// one before it.
+// one before it. What repeats loses its whole part first, as there: then it is as exact far away.
 Taps TapsOf(float coordinate, uint32_t size, Wrap wrap, Filter filter) {
+  if (wrap == Wrap::kRepeat) coordinate -= std::floor(coordinate);
   float scaled = coordinate * static_cast<float>(size);
   double u = std::isfinite(scaled) ? scaled : 0.0;
   if (filter == Filter::kNearest) {

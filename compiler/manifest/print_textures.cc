@@ -95,7 +95,7 @@ class TexturePrinter {
     PrintFiles();
     if (data_) PrintShape();
     if (texture_.HasPatterns() && texture_.IsDerived()) PrintPatterns();
-    if (texture_.kind == TextureKind::kTiles) PrintTileLayout(TileLayoutOf(texture_), json_);
+    if (texture_.kind == TextureKind::kTiles) PrintTileLayout(LayoutInLayers(), json_);
     if (texture_.kind == TextureKind::kCubes) PrintCubes();
     if (texture_.IsMap()) PrintMap();
     PrintSampling();
@@ -219,6 +219,15 @@ class TexturePrinter {
       json_.Integer("count", reach->count);
     }
     json_.CloseObject();
+  }
+
+  // As the texture has them.
+  textures::TilePackLayout LayoutInLayers() const {
+    textures::TilePackLayout layout = TileLayoutOf(texture_);
+    if (!texture_.is_array) return layout;
+    layout.columns = layout.rows = 2;
+    layout.gutter = 0;
+    return layout;
   }
 
   void PrintSampling() {

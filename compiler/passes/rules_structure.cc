@@ -225,13 +225,16 @@ ValueId BeforeWholePart(Builder& builder, ValueId value) {
   return ValueId();
 }
 
+bool Repeats(Builder& builder, ValueId sampler) {
+  const ir::Inst& inst = builder[sampler];
+  if (inst.op == Op::kGlobal) return builder.module().globals[inst.aux].repeats;
+  return inst.op == Op::kParam && builder.function().parameters[inst.aux].repeats;
+}
+
 // texture(s, x - floor(x)) = texture(s, x) if s repeats. The coordinate no longer jumps, so that
 // the sampler can take its footprint from the pixels beside this one.
 ValueId RepeatedCoordinate(Builder& builder, Op op, TypeId type, Operands operands) {
-  if (op != Op::kSample || builder[operands[0]].op != Op::kGlobal ||
-      !builder.module().globals[builder[operands[0]].aux].repeats) {
-    return ValueId();
-  }
+  if (op != Op::kSample || !Repeats(builder, operands[0])) return ValueId();
   // The layer of an array comes last, and is no repeat.
   const bool is_array = builder.TypeOf(operands[0]) == ir::kSampler2DArray;
   const ValueId coordinate = operands[1];

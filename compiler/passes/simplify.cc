@@ -46,10 +46,13 @@ class Simplifier {
     enum class Kind : uint8_t { kNone, kConst, kVaries };
     Kind kind = Kind::kNone;
     ConstId value;
+    bool repeats = true;  // of a texture, ir::Parameter::repeats
   };
 
   void FindCalls();
   void MergeArguments(const ir::Function& caller, FunctionId caller_id, const ir::Inst& call);
+  void MergeTextures(const ir::Function& caller, const ir::Inst& call);
+  void SetRepeats(FunctionId id);
   void MergeTwins(std::span<const ValueId> operands, std::vector<uint32_t>& twins);
   void DropUnreachable();
   void FindUse();
@@ -94,6 +97,32 @@ void Simplifier::MergeArguments(const ir::Function& caller, FunctionId caller_id
   }
 }
 
+void Simplifier::MergeTextures(const ir::Function& caller, const ir::Inst& call) {
+  const std::span<const ValueId> operands = caller.Operands(call);
+  for (size_t i = 0; i < operands.size(); ++i) {
+    const ir::Inst& operand = caller[operands[i]];
+    if (!ir::IsSampler(operand.type)) continue;
+    const bool repeats = operand.op == Op::kGlobal
+                             ? module_.globals[operand.aux].repeats
+                             : operand.op == Op::kParam && caller.parameters[operand.aux].repeats;
+    Argument& known = arguments_[call.aux][i];
+    known.repeats = known.repeats && repeats;
+  }
+}
+
+// Once all callers were seen.
+void Simplifier::SetRepeats(FunctionId id) {
+  ir::Function& function = module_.functions[id.index];
+  for (size_t i = 0; i < function.parameters.size(); ++i) {
+    ir::Parameter& parameter = function.parameters[i];
+    const bool repeats =
+        ir::IsSampler(parameter.type) && !pinned_[id.index] && arguments_[id.index][i].repeats;
+    if (repeats == parameter.repeats) continue;
+    parameter.repeats = repeats;
+    stale_[id.index] = true;
+  }
+}
+
 void Simplifier::MergeTwins(std::span<const ValueId> operands, std::vector<uint32_t>& twins) {
   const bool is_first = twins.empty();
   for (uint32_t i = 0; i < operands.size(); ++i) {
@@ -122,12 +151,14 @@ void Simplifier::FindCalls() {
   }
   for (size_t f = count; f-- > 0;) {
     if (!reached_[f]) continue;
+    SetRepeats(FunctionId(f));
     const ir::Function& function = module_.functions[f];
     for (const ir::Inst& inst : function.insts) {
       if (inst.op != Op::kCall && inst.op != Op::kFieldRef) continue;
       reached_[inst.aux] = true;
       if (inst.op != Op::kCall) continue;
       MergeArguments(function, FunctionId(f), inst);
+      MergeTextures(function, inst);
       MergeTwins(function.Operands(inst), twins_[inst.aux]);
     }
   }

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <new>
 #include <span>
@@ -31,6 +32,26 @@ ir::Texture::Level BaseLevel(const Image& picture, bool srgb) {
   return base;
 }
 
+// The tiles of a pack in layers of 2 x 2.
+ir::Texture::Level InLayers(const ir::Texture::Level& pack, const TilePackLayout& layout) {
+  const uint32_t size = layout.tile_size, side = 2 * size;
+  ir::Texture::Level layers;
+  layers.width = layers.height = side;
+  layers.depth = layout.tiles();
+  layers.texels.resize(size_t{side} * side * layers.depth);
+  for (uint32_t tile = 0; tile < 4 * layers.depth; ++tile) {
+    const uint32_t layer = tile / 4, column = tile % 2, row = tile / 2 % 2;
+    const TilePlace from = PackedTile(layout, TileInLayer(layout, layer, column, row));
+    for (uint32_t y = 0; y < size; ++y) {
+      const size_t pack_row = layout.gutter + size_t{from.y} * size + y;
+      const size_t layer_row = size_t{layer} * side + size_t{row} * size + y;
+      std::copy_n(pack.texels.begin() + pack_row * pack.width + size_t{from.x} * size, size,
+                  layers.texels.begin() + layer_row * side + size_t{column} * size);
+    }
+  }
+  return layers;
+}
+
 // `corners`: Wei's second pack instead of the tiles themselves.
 TextureData BuildTexture(const Image& pack, const TilePackLayout& layout, bool corners,
                          const TextureOptions& options) {
@@ -38,17 +59,18 @@ TextureData BuildTexture(const Image& pack, const TilePackLayout& layout, bool c
   uint32_t last = options.mipmaps ? coarsest : 0;
   if (options.max_level) last = std::min(last, *options.max_level);
   TextureOptions flat = options;
-  flat.is_array = flat.is_3d = false;
+  flat.is_3d = false;
   flat.max_level = last;
   flat.wrap_u = ir::Wrap::kRepeat;
-  flat.wrap_v = layout.gutter > 0 ? ir::Wrap::kClamp : ir::Wrap::kRepeat;
+  flat.wrap_v = layout.gutter > 0 && !options.is_array ? ir::Wrap::kClamp : ir::Wrap::kRepeat;
   ir::Texture chain;
   chain.sampler = SamplerFor(flat);
+  chain.is_array = options.is_array;
   ir::Texture::Level tiles = BaseLevel(pack, options.srgb);
   ir::Texel mean{};
   if (last > 0 && last == coarsest) mean = MeanOfTiles(tiles, layout, options.alpha_is_opacity);
-  chain.levels.push_back(corners ? BaseLevel(MakeWeiCornerPack(pack, layout), options.srgb)
-                                 : std::move(tiles));
+  if (corners) tiles = BaseLevel(MakeWeiCornerPack(pack, layout), options.srgb);
+  chain.levels.push_back(options.is_array ? InLayers(tiles, layout) : std::move(tiles));
   if (last > 0) BuildLevels(chain, options.alpha_is_opacity);
   chain.levels.resize(last + 1);
   if (last > 0 && last == coarsest) {
@@ -78,9 +100,10 @@ std::optional<TextureData> CheckAndBuild(const Image& pack, const TilePackLayout
             layout.width(), layout.height()));
     return std::nullopt;
   }
-  if (!CheckPixels(uint64_t{pack.width} * pack.height, name, range, diagnostics)) {
-    return std::nullopt;
-  }
+  const uint64_t of_tile = uint64_t{layout.tile_size} * layout.tile_size;
+  const uint64_t pixels =
+      options.is_array ? 4 * layout.tiles() * of_tile : uint64_t{pack.width} * pack.height;
+  if (!CheckPixels(pixels, name, range, diagnostics)) return std::nullopt;
   try {
     return BuildTexture(pack, layout, corners, options);
   } catch (const std::bad_alloc&) {

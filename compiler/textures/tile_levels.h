@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// A pack of tiles as a texture whose levels are those of the virtual texture that is tiled from it:
-// a texel of a level is the mean of its own tile alone where texels do not cross borders. The
-// coarsest level, a texel a tile, is the mean of the set everywhere: from there on no pack can be
-// right, as each tile would need all its neighbours, and what is left would flicker. The filter
-// between levels fades to it.
+// A pack of tiles, in one picture or in layers of 2 x 2 tiles (TileInLayer), as a texture whose
+// levels are those of the virtual texture that is tiled from it: a texel of a level is the mean of
+// its own tile alone where texels do not cross borders. The coarsest level, a texel a tile, is the
+// mean of the set everywhere: from there on no pack can be right, as each tile would need all its
+// neighbours, and what is left would flicker. The filter between levels fades to it.
 #pragma once
 
 #include <optional>
@@ -19,9 +19,9 @@ namespace texgraph::textures {
 // The coarsest level: a texel a tile, more if the size is no power of two.
 uint32_t TileMaxLevel(uint32_t tile_size);
 
-// `pack` as MakeTileSet makes it, or read from its file. `options` as in MakeTexture; arrays,
-// slices, edges and weights are not looked at; wraps are repeat, clamp upwards where there
-// are gutters. Reported, naming `name`: kBadImage for a pack whose size is not the layout's,
+// `pack` as MakeTileSet makes it, or read from its file. `options` as in MakeTexture; slices, edges
+// and weights are not looked at; wraps are repeat, but in one picture clamp upwards where there are
+// gutters. Reported, naming `name`: kBadImage for a pack whose size is not the layout's,
 // kSizeLimit, kOutOfMemory.
 std::optional<TextureData> MakeTileTexture(const Image& pack, const TilePackLayout& layout,
                                            const TextureOptions& options, std::string_view name,

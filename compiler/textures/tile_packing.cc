@@ -116,6 +116,21 @@ TilePlace ContinuedPlace(const TilePackLayout& layout, int64_t x, int64_t y) {
   return PackedTile(layout, TileAt(layout, x, y));
 }
 
+TileColors TileInLayer(const TilePackLayout& layout, uint32_t layer, uint32_t column,
+                       uint32_t row) {
+  // Of a corner tile all four digits have the same base.
+  const auto [lie, stand] = layout.colors;
+  const std::array<uint32_t, 4> digits = {layer % stand, layer / stand % stand,
+                                          layer / (stand * stand) % lie,
+                                          layer / (stand * stand * lie) % lie};
+  if (layout.kind == TileKind::kWang) {
+    return {digits[2 + row], digits[1 - column], digits[3 - row], digits[column]};
+  }
+  const uint32_t below = 2 * row, above = 2 - below;
+  return {digits[below + column], digits[below + 1 - column], digits[above + column],
+          digits[above + 1 - column]};
+}
+
 TilePlace PackedWeiCorner(uint32_t bottom, uint32_t right, uint32_t top, uint32_t left) {
   return {TileIndex1D(left, right), TileIndex1D(bottom, top)};
 }

@@ -69,6 +69,16 @@ TileColors TileAt(const TilePackLayout& layout, int64_t x, int64_t y);
 // The place of what would lie at x, y.
 TilePlace ContinuedPlace(const TilePackLayout& layout, int64_t x, int64_t y);
 
+// The set once more, as the layers of an array: each is a torus of 2 x 2 tiles. In a tiling the
+// colours of two columns of corners and two rows of them, those that are even and those that are
+// odd, are around every tile, and the torus that has these colours shows the tile where it is: the
+// coordinate need not jump from tile to tile, only the layer does. Each tile stands in four layers.
+// kCorner: a layer for each four colours of corners, even in both, odd in x, odd in y, odd in both;
+// kWang: of edges that stand, even and odd, and of edges that lie, even and odd. The first is the
+// last digit of the layer's number.
+// There are as many layers as tiles. This is the tile in column and row, 0 or 1, of a layer.
+TileColors TileInLayer(const TilePackLayout& layout, uint32_t layer, uint32_t column, uint32_t row);
+
 // Wei's corner pack (equation 10): the corner with these edges around it is the right top corner of
 // the tile at this place of MakeWeiCornerPack (tile_pictures.h).
 TilePlace PackedWeiCorner(uint32_t bottom, uint32_t right, uint32_t top, uint32_t left);

@@ -52,6 +52,9 @@ struct PatternEntry {
   int computing = 0, most_computing = 0, paper_instructions = 0;  // see spirv_weight.h
   // To one plain trilinear look-up in the same patterns, at the same size on the screen.
   double to_plain = 0, most_to_plain = 0;  // 0: nothing is promised
+  // To the same look-up with textureGrad, as any shader with such tiles must take; and to a shader
+  // for these tiles that was written by hand. 0: there is none.
+  double to_gradients = 0, to_by_hand = 0;
   // The slowest to the fastest of 2^8, 2^14 and 2^20 cells, of equal size on the screen.
   double over_sizes = 0;
   std::string error;
@@ -66,6 +69,9 @@ struct TilesEntry {
   double frame_ms = 0;
   // To one plain trilinear look-up in the same pack, with as many texels a pixel.
   double to_plain = 0, most_to_plain = 0;  // 0: nothing is promised
+  // To the same look-up with textureGrad, as any shader with such tiles must take; and to a shader
+  // for these tiles that was written by hand. 0: there is none.
+  double to_gradients = 0, to_by_hand = 0;
   std::string error;
 };
 std::vector<TilesEntry> MeasureTiles(const std::string& root);

@@ -25,13 +25,13 @@ constexpr int kFrames = 4;
 // some.
 constexpr int kQuietRounds = 12, kMaxRounds = 60;
 
+}  // namespace
+
 double MeanDifference(const textures::Image& a, const textures::Image& b) {
   double sum = 0;
   for (size_t i = 0; i < a.pixels.size(); ++i) sum += std::abs(int(a.pixels[i]) - int(b.pixels[i]));
   return sum / static_cast<double>(a.pixels.size());
 }
-
-}  // namespace
 
 Drawn DrawInTurns(std::vector<runtime::RenderRequest> requests, int quiet_rounds) {
   Drawn drawn;

@@ -40,4 +40,7 @@ struct Drawn {
 };
 Drawn DrawInTurns(std::vector<runtime::RenderRequest> requests, int quiet_rounds);
 
+// The mean over all samples of two pictures of the same size, of 255.
+double MeanDifference(const textures::Image& a, const textures::Image& b);
+
 }  // namespace texgraph::bench

@@ -38,6 +38,45 @@ ir::Texture PackOf(int columns, int rows) {
   return pack;
 }
 
+// For each way in which four colours can stand at the corners of a tile, or on its edges (west,
+// east, south, north), the texel of its tile in the pack.
+using Texels = std::map<std::array<int, 4>, ir::Texel>;
+
+// The same tiles in layers: of corners, digits are the colours of those that are even in both
+// directions, odd across, odd up, odd in both; of edges, of those that stand, even and odd, and of
+// those that lie, even and odd. The first digit is the last of the number.
+ir::Texture LayersOf(const Texels& tiles, bool wang, std::array<int, 2> colors) {
+  ir::Texture layers;
+  layers.is_array = true;
+  layers.sampler.filter = ir::Filter::kNearest;
+  layers.sampler.mip_filter = ir::MipFilter::kNone;
+  ir::Texture::Level& level = layers.levels.emplace_back();
+  level.width = level.height = 2;
+  level.depth = static_cast<uint32_t>(tiles.size());
+  const auto [lying, standing] = colors;
+  for (int layer = 0; layer < static_cast<int>(tiles.size()); ++layer) {
+    for (int y = 0; y < 2; ++y) {
+      for (int x = 0; x < 2; ++x) {
+        std::array<int, 4> around{};
+        if (wang) {
+          const int stand[2] = {layer % standing, layer / standing % standing};
+          const int rest = layer / (standing * standing);
+          const int lie[2] = {rest % lying, rest / lying};
+          around = {stand[x], stand[1 - x], lie[y], lie[1 - y]};
+        } else {
+          for (int corner = 0; corner < 4; ++corner) {
+            const int kind = (x + corner) % 2 + 2 * ((y + corner / 2) % 2);
+            around[static_cast<size_t>(corner)] =
+                layer / static_cast<int>(std::pow(lying, kind)) % lying;
+          }
+        }
+        level.texels.push_back(tiles.at(around));
+      }
+    }
+  }
+  return layers;
+}
+
 // The middles of count x count cells from (x, y), row by row.
 std::vector<Vector> Middles(int x, int y, int columns, int rows) {
   std::vector<Vector> places;
@@ -97,7 +136,7 @@ struct Tiling {
   std::vector<int> numbers;
 };
 
-Tiling Tile(const std::string& block, const ir::Texture& pack, Values colors,
+Tiling Tile(const std::string& block, const ir::Texture& pack, int columns, Values colors,
             const std::vector<Vector>& at,
             std::vector<std::pair<int32_t, int32_t>> period = {{0, 0}}, int seed = 0) {
   auto outputs = RunBlock(block, {{"tiles", pack},
@@ -111,22 +150,41 @@ Tiling Tile(const std::string& block, const ir::Texture& pack, Values colors,
     tiling.places.push_back({static_cast<int>(outputs["color"].Float(i, 0)),
                              static_cast<int>(outputs["color"].Float(i, 1))});
     tiling.numbers.push_back(outputs["index"].Int(i));
-    EXPECT_EQ(
-        tiling.numbers.back(),
-        tiling.places.back()[0] + tiling.places.back()[1] * static_cast<int>(pack.levels[0].width));
+    EXPECT_EQ(tiling.numbers.back(), tiling.places.back()[0] + tiling.places.back()[1] * columns);
   }
   return tiling;
+}
+
+// Both kinds of pack.
+std::vector<ir::Texture> CornerPacks(int colors) {
+  const int count = colors * colors;
+  Texels texels;
+  for (int c = 0; c < count * count; ++c) {
+    const std::array<int, 4> corners = {c % colors, c / colors % colors, c / count % colors,
+                                        c / count / colors};
+    Values values{ir::kIvec4, 1, {}};
+    for (int corner : corners) values.words.push_back(static_cast<uint32_t>(corner));
+    auto place = RunBlock("corner_tile_place", {{"corners", values}, {"colors", Ints({colors})}});
+    texels[corners] = {static_cast<float>(place["result"].Int(0, 0)),
+                       static_cast<float>(place["result"].Int(0, 1)), 1, 1};
+  }
+  return {PackOf(count, count), LayersOf(texels, false, {colors, colors})};
 }
 
 // Each tile is the one whose corners have the colours that the hash draws, by way of where such a
 // tile stands; also far from the origin, with a period and with a seed.
 TEST(CornerTilesTest, ShowsTheTileOfTheDrawnCorners) {
   for (int colors = 2; colors <= 4; ++colors) {
-    const ir::Texture pack = PackOf(colors * colors, colors * colors);
-    for (const auto& [x, y, period, seed] :
-         {std::tuple(-3, -4, 0, 0), {100000, -70000, 0, 7}, {-2, 3, 5, 1}}) {
-      const Tiling tiling =
-          Tile("corner_tiles", pack, Ints({colors}), Middles(x, y, 8, 8), {{period, period}}, seed);
+    const std::vector<ir::Texture> packs = CornerPacks(colors);
+    for (const auto& [pack, x, y, period, seed] : {std::tuple(0, -3, -4, 0, 0),
+                                                   {0, 100000, -70000, 0, 7},
+                                                   {0, -2, 3, 5, 1},
+                                                   {1, -3, -4, 0, 0},
+                                                   {1, 100001, -70001, 0, 7},
+                                                   {1, -2, 3, 5, 1},
+                                                   {1, 1, 0, 1, 1}}) {
+      const Tiling tiling = Tile("corner_tiles", packs[static_cast<size_t>(pack)], colors * colors,
+                                 Ints({colors}), Middles(x, y, 8, 8), {{period, period}}, seed);
       for (int v = 0; v < 8; ++v) {
         for (int u = 0; u < 8; ++u) {
           Values corners{ir::kIvec4, 1, {}};
@@ -161,15 +219,32 @@ std::array<int, 4> EdgesAt(const std::array<int, 2>& place) {
   return edges;
 }
 
+std::vector<ir::Texture> WangPacks(int lying, int standing) {
+  Texels texels;
+  for (int y = 0; y < lying * lying; ++y) {
+    for (int x = 0; x < standing * standing; ++x) {
+      texels[EdgesAt({x, y})] = {static_cast<float>(x), static_cast<float>(y), 1, 1};
+    }
+  }
+  return {PackOf(standing * standing, lying * lying), LayersOf(texels, true, {lying, standing})};
+}
+
 // West and east, south and north agree with the neighbours', for all numbers of colours, on a torus
 // too; and all tiles of the set come.
 TEST(WangTilesTest, NeighboursAgree) {
   for (int lying = 1; lying <= 4; ++lying) {
     for (int standing = 1; standing <= 4; ++standing) {
-      const ir::Texture pack = PackOf(standing * standing, lying * lying);
-      for (int period : {0, 24}) {
-        const Tiling tiling = Tile("wang_tiles", pack, CellsOf({{lying, standing}}),
-                                   Middles(-7, -9, 24, 24), {{period, period}}, 3);
+      const std::vector<ir::Texture> packs = WangPacks(lying, standing);
+      std::vector<int> numbers;
+      for (const auto& [pack, period] : {std::pair(0, 0), {0, 24}, {1, 0}, {1, 24}}) {
+        const Tiling tiling =
+            Tile("wang_tiles", packs[static_cast<size_t>(pack)], standing * standing,
+                 CellsOf({{lying, standing}}), Middles(-7, -9, 24, 24), {{period, period}}, 3);
+        // However they are packed, the tiles are the same.
+        if (pack == 0 && period == 0) numbers = tiling.numbers;
+        if (period == 0) {
+          ASSERT_EQ(tiling.numbers, numbers);
+        }
         const auto at = [&](int x, int y) {
           return EdgesAt(tiling.places[static_cast<size_t>(24 * (y % 24) + x % 24)]);
         };
@@ -194,9 +269,9 @@ TEST(TileBlocksTest, TilesComeEquallyOften) {
   const ir::Texture pack = PackOf(4, 4);
   for (int seed : {0, 1, 77}) {
     for (const bool wang : {false, true}) {
-      const Tiling tiling = wang ? Tile("wang_tiles", pack, CellsOf({{2, 2}}),
+      const Tiling tiling = wang ? Tile("wang_tiles", pack, 4, CellsOf({{2, 2}}),
                                         Middles(-128, -128, 256, 256), {{0, 0}}, seed)
-                                 : Tile("corner_tiles", pack, Ints({2}),
+                                 : Tile("corner_tiles", pack, 4, Ints({2}),
                                         Middles(-128, -128, 256, 256), {{0, 0}}, seed);
       std::vector<double> counts(16);
       for (int number : tiling.numbers) counts[static_cast<size_t>(number)] += 1;
@@ -217,8 +292,8 @@ TEST(TileBlocksTest, NothingRepeats) {
       const auto line = [&](int at) {
         const std::vector<Vector> places =
             is_row ? Middles(-kLong / 2, at, kLong, 1) : Middles(at, -kLong / 2, 1, kLong);
-        return (wang ? Tile("wang_tiles", pack, CellsOf({{2, 2}}), places)
-                     : Tile("corner_tiles", pack, Ints({2}), places))
+        return (wang ? Tile("wang_tiles", pack, 4, CellsOf({{2, 2}}), places)
+                     : Tile("corner_tiles", pack, 4, Ints({2}), places))
             .numbers;
       };
       const std::vector<int> first = line(0), second = line(1);
@@ -339,7 +414,8 @@ TEST(WangCornersTest, ShowsTheEdgesThatMeet) {
     const Values colors = CellsOf({{kLying, kStanding}});
     const std::vector<std::pair<int32_t, int32_t>> periods = {{period, period}};
     const ir::Texture pack = PackOf(kStanding * kStanding, kLying * kLying);
-    const Tiling tiling = Tile("wang_tiles", pack, colors, Middles(-4, -4, 10, 10), periods, seed);
+    const Tiling tiling = Tile("wang_tiles", pack, kStanding * kStanding, colors,
+                               Middles(-4, -4, 10, 10), periods, seed);
     const auto edges = [&](int x, int y) {
       return EdgesAt(tiling.places[static_cast<size_t>(10 * (y + 4) + x + 4)]);
     };

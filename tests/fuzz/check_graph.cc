@@ -169,6 +169,11 @@ std::string CompareResults(const ir::Function& main, const NoisyResults& plain,
       const float a = std::bit_cast<float>(plain.words[r][i]);
       const float b = std::bit_cast<float>(optimized[r][i]);
       ++report.values;
+      // No number either way is no difference, and says little.
+      if (std::isnan(a) && std::isnan(b)) {
+        ++report.loose;
+        continue;
+      }
       if (plain.slack[r][i] > kLoose) ++report.loose;
       if (a == b || std::fabs(double{a} - b) <= plain.slack[r][i]) continue;
       const size_t lane = i % kLanes;

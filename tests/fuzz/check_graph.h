@@ -17,7 +17,7 @@ struct GraphReport {
   bool costly = false;     // it runs so much for each pixel that it was not evaluated
   uint64_t values = 0;     // that were compared, optimised with not optimised
   uint64_t undefined = 0;  // that differed, where something was infinite or undefined on the way
-  uint64_t loose = 0;      // with more than 0.01 of slack: they say little
+  uint64_t loose = 0;      // with more than 0.01 of slack, or no numbers both: they say little
 };
 
 // `path`: where the text seems to lie; its textures are in that folder. Compiles it to SPIR-V and

@@ -8,7 +8,7 @@ layout(location = 0) in vec2 uv;
 layout(location = 0) uniform vec2 tile_count;  // default vec2(8.0)
 
 // Textures
-layout(location = 1, binding = 0) uniform sampler2D grass;
+layout(location = 1, binding = 0) uniform sampler2DArray grass;
 
 // Outputs
 layout(location = 0) out vec4 out_color;
@@ -28,25 +28,19 @@ uvec4 hash(uvec4 value) {
   return (word >> 22u) ^ word;
 }
 
-// corner_tile_place (by_example/corner_tile_place.glsl)
-ivec2 corner_tile_place(ivec4 corners) {
-  int bit = 2 * (corners.x + 2 * corners.y + 4 * corners.z + 8 * corners.w);
-  return ivec2(uvec2(825968358u >> uint(bit), 259139418u >> uint(bit)) & 3u);
-}
-
 // corner_tiles (by_example/corner_tiles.glsl)
-vec4 corner_tiles(sampler2D tiles, vec2 uv, vec2 tiling, vec2 uv_dx, vec2 uv_dy) {
+vec4 corner_tiles(sampler2DArray tiles, vec2 uv, vec2 tiling) {
   vec2 p = uv * tiling;
-  vec2 whole = floor(p);
-  vec2 local = p - whole;
-  ivec2 cell = ivec2(whole);
-  ivec2 next = cell + 1;
-  uvec2 rows = hash(uvec2(uint(cell.y), uint(next.y)) + 129708002u);
-  uvec4 sum = uvec4(uint(cell.x), uint(next.x), uint(cell.x), uint(next.x)) + rows.xxyy;
+  ivec2 cell = ivec2(floor(p));
+  ivec2 even = (cell + 1) & -2;
+  ivec2 odd = cell | 1;
+  uvec2 rows = hash(uvec2(uint(even.y), uint(odd.y)) + 129708002u);
+  uvec4 sum = uvec4(uint(even.x), uint(odd.x), uint(even.x), uint(odd.x)) + rows.xxyy;
   uvec4 bits = hash(sum);
-  ivec2 place = corner_tile_place(ivec4(bits & 1u));
-  vec2 product = tiling * 0.25;
-  vec4 color = textureGrad(tiles, (vec2(place) + local) * 0.25, uv_dx * product, uv_dy * product);
+  ivec4 around = ivec4(bits & 1u);
+  int layer = around.x + 2 * (around.y + 2 * (around.z + 2 * around.w));
+  vec2 place = p * 0.5;
+  vec4 color = texture(tiles, vec3(place, float(layer)));
   return color;
 }
 
@@ -136,7 +130,7 @@ float curve(float value, float value_dx, float value_dy) {
 void main() {
   vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
   // blades: corner_tiles (by_example/corner_tiles.glsl)
-  vec4 blades_color = corner_tiles(grass, uv, tile_count, uv_dx, uv_dy);
+  vec4 blades_color = corner_tiles(grass, uv, tile_count);
   // weather: fbm (noise/fbm.glsl)
   float weather_dx, weather_dy;
   float weather = fbm(uv, uv_dx, uv_dy, weather_dx, weather_dy);

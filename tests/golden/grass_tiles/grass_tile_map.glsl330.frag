@@ -5,7 +5,7 @@
 in vec2 uv;
 
 // Textures
-uniform sampler2D grass;
+uniform sampler2D grass_atlas;
 uniform sampler2D plan;
 
 // Outputs
@@ -47,7 +47,7 @@ vec4 tile_map(sampler2D tiles, vec2 uv, vec2 uv_dx, vec2 uv_dy) {
 void main() {
   vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
   // blades: tile_map (by_example/tile_map.glsl)
-  vec4 blades_color = tile_map(grass, uv, uv_dx, uv_dy);
+  vec4 blades_color = tile_map(grass_atlas, uv, uv_dx, uv_dy);
   out_color = blades_color;
   out_roughness = 0.9;
 }

@@ -3,7 +3,7 @@
 // sampled with derivatives, which neighbouring pixels have to compute together.
 
 // Textures
-uniform sampler2D grass;
+uniform sampler2D grass_atlas;
 uniform sampler2D plan;
 
 // pack_place (by_example/pack_place.glsl)
@@ -41,7 +41,7 @@ vec4 grass_tile_map_tile_map(sampler2D tiles, vec2 uv, vec2 uv_dx, vec2 uv_dy) {
 void grass_tile_map(vec2 uv, out vec4 color, out float roughness) {
   vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
   // blades: tile_map (by_example/tile_map.glsl)
-  vec4 blades_color = grass_tile_map_tile_map(grass, uv, uv_dx, uv_dy);
+  vec4 blades_color = grass_tile_map_tile_map(grass_atlas, uv, uv_dx, uv_dy);
   color = blades_color;
   roughness = 0.9;
 }

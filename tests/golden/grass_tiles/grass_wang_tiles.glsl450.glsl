@@ -3,7 +3,7 @@
 // sampled with derivatives, which neighbouring pixels have to compute together.
 
 // Textures
-uniform sampler2D grass;
+uniform sampler2DArray grass;
 
 // hash (random/hash.glsl)
 uvec2 grass_wang_tiles_hash(uvec2 value) {
@@ -19,38 +19,27 @@ uint grass_wang_tiles_hash(uint value) {
   return (word >> 22u) ^ word;
 }
 
-// tile_index (by_example/tile_index.glsl)
-int grass_wang_tiles_tile_index(int first, int second) {
-  int low;
-  if (second > 0) {
-    low = first * first + 2 * second - 1;
-  } else {
-    low = first * (first + 2);
-  }
-  return first < second ? 2 * first + second * second : low;
-}
-
 // wang_tiles (by_example/wang_tiles.glsl)
-vec4 grass_wang_tiles_wang_tiles(sampler2D tiles, vec2 uv, vec2 uv_dx, vec2 uv_dy) {
+vec4 grass_wang_tiles_wang_tiles(sampler2DArray tiles, vec2 uv) {
   vec2 p = uv * 8.0;
-  vec2 whole = floor(p);
-  vec2 local = p - whole;
-  ivec2 cell = ivec2(whole);
+  ivec2 cell = ivec2(floor(p));
   ivec2 next = cell + 1;
+  bvec2 is_odd = equal(cell & 1, ivec2(1));
   uvec2 rows = grass_wang_tiles_hash(uvec2(uint(cell.y), uint(next.y)) + 129708002u);
   uvec2 hash_value = grass_wang_tiles_hash(uvec2(uint(cell.x), uint(next.x)) + rows.x);
   ivec2 across = ivec2((hash_value >> 16u) & 1u);
   ivec2 upwards = ivec2(uvec2(hash_value.x, grass_wang_tiles_hash(uint(cell.x) + rows.y)) & 1u);
-  ivec2 place = ivec2(grass_wang_tiles_tile_index(across.x, across.y),
-      grass_wang_tiles_tile_index(upwards.x, upwards.y));
-  vec4 color = textureGrad(tiles, (vec2(place) + local) * 0.25, uv_dx * 2.0, uv_dy * 2.0);
+  ivec2 stand = is_odd.x ? across.yx : across;
+  ivec2 lie = is_odd.y ? upwards.yx : upwards;
+  int layer = stand.x + 2 * (stand.y + 2 * (lie.x + 2 * lie.y));
+  vec2 place = p * 0.5;
+  vec4 color = texture(tiles, vec3(place, float(layer)));
   return color;
 }
 
 void grass_wang_tiles(vec2 uv, out vec4 color, out float roughness) {
-  vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
   // blades: wang_tiles (by_example/wang_tiles.glsl)
-  vec4 blades_color = grass_wang_tiles_wang_tiles(grass, uv, uv_dx, uv_dy);
+  vec4 blades_color = grass_wang_tiles_wang_tiles(grass, uv);
   color = blades_color;
   roughness = 0.9;
 }

@@ -7,10 +7,10 @@ uniform vec2 pebble_tiles;  // default vec2(6.0)
 uniform float damp;  // default 0.5
 
 // Textures
-uniform sampler2D pebbles;
-uniform sampler2D pebbles_relief;
-uniform sampler2D pebbles_height;
-uniform sampler2D pebbles_roughness;
+uniform sampler2DArray pebbles;
+uniform sampler2DArray pebbles_relief;
+uniform sampler2DArray pebbles_height;
+uniform sampler2DArray pebbles_roughness;
 
 // hash (random/hash.glsl)
 uvec2 pebbles2_hash(uvec2 value) {
@@ -26,25 +26,19 @@ uvec4 pebbles2_hash(uvec4 value) {
   return (word >> 22u) ^ word;
 }
 
-// corner_tile_place (by_example/corner_tile_place.glsl)
-ivec2 pebbles2_corner_tile_place(ivec4 corners) {
-  int bit = 2 * (corners.x + 2 * corners.y + 4 * corners.z + 8 * corners.w);
-  return ivec2(uvec2(825968358u >> uint(bit), 259139418u >> uint(bit)) & 3u);
-}
-
 // corner_tiles (by_example/corner_tiles.glsl)
-vec4 pebbles2_corner_tiles(sampler2D tiles, vec2 uv, vec2 tiling, vec2 uv_dx, vec2 uv_dy) {
+vec4 pebbles2_corner_tiles(sampler2DArray tiles, vec2 uv, vec2 tiling) {
   vec2 p = uv * tiling;
-  vec2 whole = floor(p);
-  vec2 local = p - whole;
-  ivec2 cell = ivec2(whole);
-  ivec2 next = cell + 1;
-  uvec2 rows = pebbles2_hash(uvec2(uint(cell.y), uint(next.y)) + 129708002u);
-  uvec4 sum = uvec4(uint(cell.x), uint(next.x), uint(cell.x), uint(next.x)) + rows.xxyy;
+  ivec2 cell = ivec2(floor(p));
+  ivec2 even = (cell + 1) & -2;
+  ivec2 odd = cell | 1;
+  uvec2 rows = pebbles2_hash(uvec2(uint(even.y), uint(odd.y)) + 129708002u);
+  uvec4 sum = uvec4(uint(even.x), uint(odd.x), uint(even.x), uint(odd.x)) + rows.xxyy;
   uvec4 bits = pebbles2_hash(sum);
-  ivec2 place = pebbles2_corner_tile_place(ivec4(bits & 1u));
-  vec2 product = tiling * 0.25;
-  vec4 color = textureGrad(tiles, (vec2(place) + local) * 0.25, uv_dx * product, uv_dy * product);
+  ivec4 around = ivec4(bits & 1u);
+  int layer = around.x + 2 * (around.y + 2 * (around.z + 2 * around.w));
+  vec2 place = p * 0.5;
+  vec4 color = texture(tiles, vec3(place, float(layer)));
   return color;
 }
 
@@ -140,7 +134,7 @@ vec3 pebbles2_normal_map(vec3 texel) {
 void pebbles2(vec2 uv, out vec4 color, out vec3 normal, out float height, out float roughness) {
   vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
   // stones: corner_tiles (by_example/corner_tiles.glsl)
-  vec4 stones_color = pebbles2_corner_tiles(pebbles, uv, pebble_tiles, uv_dx, uv_dy);
+  vec4 stones_color = pebbles2_corner_tiles(pebbles, uv, pebble_tiles);
   // weather: fbm (noise/fbm.glsl)
   float weather_dx, weather_dy;
   float weather = pebbles2_fbm(uv, uv_dx, uv_dy, weather_dx, weather_dy);
@@ -153,13 +147,13 @@ void pebbles2(vec2 uv, out vec4 color, out vec3 normal, out float height, out fl
   // color: brightness_contrast (color/brightness_contrast.glsl)
   vec4 color2 = vec4(stones_color.xyz * darkening, stones_color.w);
   // facing: corner_tiles (by_example/corner_tiles.glsl)
-  vec4 facing_color = pebbles2_corner_tiles(pebbles_relief, uv, pebble_tiles, uv_dx, uv_dy);
+  vec4 facing_color = pebbles2_corner_tiles(pebbles_relief, uv, pebble_tiles);
   // slope: normal_map (materials/normal_map.glsl)
   vec3 slope = pebbles2_normal_map(facing_color.xyz);
   // levels: corner_tiles (by_example/corner_tiles.glsl)
-  vec4 levels_color = pebbles2_corner_tiles(pebbles_height, uv, pebble_tiles, uv_dx, uv_dy);
+  vec4 levels_color = pebbles2_corner_tiles(pebbles_height, uv, pebble_tiles);
   // rough: corner_tiles (by_example/corner_tiles.glsl)
-  vec4 rough_color = pebbles2_corner_tiles(pebbles_roughness, uv, pebble_tiles, uv_dx, uv_dy);
+  vec4 rough_color = pebbles2_corner_tiles(pebbles_roughness, uv, pebble_tiles);
   // smoothing: remap (math/remap.glsl)
   float smoothing = mix(1.0, 0.35, wetness);
   // roughness: multiply (math/multiply.glsl)

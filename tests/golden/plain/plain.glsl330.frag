@@ -9,9 +9,9 @@ uniform vec2 plain_tiles;  // default vec2(48.0)
 uniform float raggedness;  // default 0.35
 
 // Textures
-uniform sampler2D green;
-uniform sampler2D straw;
-uniform sampler2D soil;
+uniform sampler2DArray green;
+uniform sampler2DArray straw;
+uniform sampler2DArray soil;
 uniform sampler2D shares;
 
 // Outputs
@@ -39,47 +39,44 @@ uvec4 hash(uvec4 value) {
   return (word >> 22u) ^ word;
 }
 
-// corner_tile_place (by_example/corner_tile_place.glsl)
-ivec2 corner_tile_place(ivec4 corners) {
-  int bit = 2 * (corners.x + 2 * corners.y + 4 * corners.z + 8 * corners.w);
-  return ivec2(uvec2(825968358u >> uint(bit), 259139418u >> uint(bit)) & 3u);
-}
-
 // corner_tiles (by_example/corner_tiles.glsl)
-void corner_tiles(sampler2D tiles, vec2 uv, vec2 tiling, int seed, vec2 uv_dx, vec2 uv_dy,
+void corner_tiles(sampler2DArray tiles, vec2 uv, vec2 tiling, int seed, vec2 uv_dx, vec2 uv_dy,
     out vec4 color, out vec4 color_dx, out vec4 color_dy) {
   vec2 p = uv * tiling;
-  vec2 whole = floor(p);
-  vec2 local = p - whole;
-  ivec2 cell = ivec2(whole);
-  ivec2 next = cell + 1;
-  uvec2 rows = hash(uvec2(uint(cell.y), uint(next.y)) + hash(uint(seed)));
-  uvec4 sum = uvec4(uint(cell.x), uint(next.x), uint(cell.x), uint(next.x)) + rows.xxyy;
+  ivec2 cell = ivec2(floor(p));
+  ivec2 even = (cell + 1) & -2;
+  ivec2 odd = cell | 1;
+  uvec2 rows = hash(uvec2(uint(even.y), uint(odd.y)) + hash(uint(seed)));
+  uvec4 sum = uvec4(uint(even.x), uint(odd.x), uint(even.x), uint(odd.x)) + rows.xxyy;
   uvec4 bits = hash(sum);
-  ivec2 place = corner_tile_place(ivec4(bits & 1u));
-  vec2 product = (vec2(place) + local) * 0.25;
-  vec2 product2 = tiling * 0.25;
-  vec2 product3 = uv_dx * product2;
-  vec2 product4 = uv_dy * product2;
-  vec4 color2 = textureGrad(tiles, product, product3, product4);
+  ivec4 around = ivec4(bits & 1u);
+  int layer = around.x + 2 * (around.y + 2 * (around.z + 2 * around.w));
+  vec2 place = p * 0.5;
+  vec2 place_slope = tiling * 0.5;
+  vec2 place_dx = uv_dx * place_slope;
+  vec2 place_dy = uv_dy * place_slope;
+  vec3 vector = vec3(place, float(layer));
+  vec4 color2 = texture(tiles, vector);
+  vec4 texel = textureGrad(tiles, vector + vec3(place_dx, 0.0), place_dx, place_dy);
+  vec4 texel2 = textureGrad(tiles, vector + vec3(place_dy, 0.0), place_dx, place_dy);
   color = color2;
-  color_dx = textureGrad(tiles, product + product3, product3, product4) - color2;
-  color_dy = textureGrad(tiles, product + product4, product3, product4) - color2;
+  color_dx = texel - color2;
+  color_dy = texel2 - color2;
 }
 
 // corner_tiles (by_example/corner_tiles.glsl)
-vec4 corner_tiles(sampler2D tiles, vec2 uv, vec2 tiling, vec2 uv_dx, vec2 uv_dy) {
+vec4 corner_tiles2(sampler2DArray tiles, vec2 uv, vec2 tiling) {
   vec2 p = uv * tiling;
-  vec2 whole = floor(p);
-  vec2 local = p - whole;
-  ivec2 cell = ivec2(whole);
-  ivec2 next = cell + 1;
-  uvec2 rows = hash(uvec2(uint(cell.y), uint(next.y)) + 2055130248u);
-  uvec4 sum = uvec4(uint(cell.x), uint(next.x), uint(cell.x), uint(next.x)) + rows.xxyy;
+  ivec2 cell = ivec2(floor(p));
+  ivec2 even = (cell + 1) & -2;
+  ivec2 odd = cell | 1;
+  uvec2 rows = hash(uvec2(uint(even.y), uint(odd.y)) + 2055130248u);
+  uvec4 sum = uvec4(uint(even.x), uint(odd.x), uint(even.x), uint(odd.x)) + rows.xxyy;
   uvec4 bits = hash(sum);
-  ivec2 place = corner_tile_place(ivec4(bits & 1u));
-  vec2 product = tiling * 0.25;
-  vec4 color = textureGrad(tiles, (vec2(place) + local) * 0.25, uv_dx * product, uv_dy * product);
+  ivec4 around = ivec4(bits & 1u);
+  int layer = around.x + 2 * (around.y + 2 * (around.z + 2 * around.w));
+  vec2 place = p * 0.5;
+  vec4 color = texture(tiles, vec3(place, float(layer)));
   return color;
 }
 
@@ -294,7 +291,7 @@ void main() {
   vec4 dry_color, dry_color_dx, dry_color_dy;
   corner_tiles(straw, uv, plain_tiles, 1, uv_dx, uv_dy, dry_color, dry_color_dx, dry_color_dy);
   // earth: corner_tiles (by_example/corner_tiles.glsl)
-  vec4 earth_color = corner_tiles(soil, uv, plain_tiles, uv_dx, uv_dy);
+  vec4 earth_color = corner_tiles2(soil, uv, plain_tiles);
   // grass_light: luminance (channels/luminance.glsl)
   float grass_light = dot(grass_color.xyz, vec3(0.2126, 0.7152, 0.0722));
   float grass_light_dx = dot(grass_color_dx.xyz, vec3(0.2126, 0.7152, 0.0722));

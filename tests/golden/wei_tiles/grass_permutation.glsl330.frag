@@ -5,7 +5,7 @@
 in vec2 uv;
 
 // Textures
-uniform sampler2D grass;
+uniform sampler2D grass_atlas;
 uniform sampler2D permuted;
 
 // Outputs
@@ -47,7 +47,7 @@ vec4 permutation_wang_tiles(sampler2D tiles, vec2 uv, vec2 uv_dx, vec2 uv_dy) {
 void main() {
   vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
   // meadow: permutation_wang_tiles (by_example/permutation_wang_tiles.glsl)
-  vec4 meadow_color = permutation_wang_tiles(grass, uv, uv_dx, uv_dy);
+  vec4 meadow_color = permutation_wang_tiles(grass_atlas, uv, uv_dx, uv_dy);
   out_color = meadow_color;
   out_roughness = 0.9;
 }

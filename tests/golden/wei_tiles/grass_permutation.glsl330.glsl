@@ -3,7 +3,7 @@
 // sampled with derivatives, which neighbouring pixels have to compute together.
 
 // Textures
-uniform sampler2D grass;
+uniform sampler2D grass_atlas;
 uniform sampler2D permuted;
 
 // tile_index (by_example/tile_index.glsl)
@@ -42,7 +42,7 @@ vec4 grass_permutation_permutation_wang_tiles(sampler2D tiles, vec2 uv, vec2 uv_
 void grass_permutation(vec2 uv, out vec4 color, out float roughness) {
   vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
   // meadow: permutation_wang_tiles (by_example/permutation_wang_tiles.glsl)
-  vec4 meadow_color = grass_permutation_permutation_wang_tiles(grass, uv, uv_dx, uv_dy);
+  vec4 meadow_color = grass_permutation_permutation_wang_tiles(grass_atlas, uv, uv_dx, uv_dy);
   color = meadow_color;
   roughness = 0.9;
 }

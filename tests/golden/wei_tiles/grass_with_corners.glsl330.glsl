@@ -3,7 +3,7 @@
 // sampled with derivatives, which neighbouring pixels have to compute together.
 
 // Textures
-uniform sampler2D grass;
+uniform sampler2D grass_atlas;
 uniform sampler2D grass_corners;
 
 // hash (random/hash.glsl)
@@ -89,8 +89,8 @@ vec4 grass_with_corners_wang_tiles_with_corners(sampler2D tiles, sampler2D corne
 void grass_with_corners(vec2 uv, out vec4 color, out float roughness) {
   vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
   // meadow: wang_tiles_with_corners (by_example/wang_tiles_with_corners.glsl)
-  vec4 meadow_color = grass_with_corners_wang_tiles_with_corners(grass, grass_corners, uv, uv_dx,
-      uv_dy);
+  vec4 meadow_color = grass_with_corners_wang_tiles_with_corners(grass_atlas, grass_corners, uv,
+      uv_dx, uv_dy);
   color = meadow_color;
   roughness = 0.9;
 }

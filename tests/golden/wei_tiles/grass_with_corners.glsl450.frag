@@ -5,7 +5,7 @@
 layout(location = 0) in vec2 uv;
 
 // Textures
-layout(location = 0, binding = 0) uniform sampler2D grass;
+layout(location = 0, binding = 0) uniform sampler2D grass_atlas;
 layout(location = 1, binding = 1) uniform sampler2D grass_corners;
 
 // Outputs
@@ -92,7 +92,7 @@ vec4 wang_tiles_with_corners(sampler2D tiles, sampler2D corners, vec2 uv, vec2 u
 void main() {
   vec2 uv_dx = dFdx(uv), uv_dy = dFdy(uv);
   // meadow: wang_tiles_with_corners (by_example/wang_tiles_with_corners.glsl)
-  vec4 meadow_color = wang_tiles_with_corners(grass, grass_corners, uv, uv_dx, uv_dy);
+  vec4 meadow_color = wang_tiles_with_corners(grass_atlas, grass_corners, uv, uv_dx, uv_dy);
   out_color = meadow_color;
   out_roughness = 0.9;
 }

@@ -84,7 +84,7 @@ std::map<std::string, std::vector<Rest>> RestOfPages() {
             grid + Node("a", "corner_tiles", R"("tiles": "grass")") +
                 Node("b", "corner_tiles", R"("tiles": "grass_normal")") +
                 Node("c", "wang_tiles", R"("tiles": "sand")") +
-                Node("d", "tile_map", R"("tiles": "grass", "map": "plan")") +
+                Node("d", "tile_map", R"("tiles": "lawn", "map": "plan")") +
                 Node("h", "wang_tiles_with_corners",
                      R"("tiles": "sand", "corners": "sand_corners")") +
                 Node("i", "permutation_wang_tiles", R"("tiles": "sand", "table": "hashes")") +

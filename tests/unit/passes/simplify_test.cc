@@ -234,6 +234,50 @@ main main
   EXPECT_THAT(with("@uv"), testing::HasSubstr("function wave(%p: vec2, %t: float, %q: vec2)"));
 }
 
+// Where all textures that a function gets repeat, so does its own; one that does not takes that away
+// again.
+TEST(Simplify, WhatRepeatsIsKnownInFunctions) {
+  const std::string text = R"(input uv: vec2
+texture brick: sampler2D repeats
+texture leaf: sampler2D
+function shown(%s: sampler2D, %p: vec2) -> vec4 {
+  %0 = mul %p, vec2(8.0, 8.0) : vec2
+  %1 = floor %0 : vec2
+  %2 = sub %0, %1 : vec2
+  %3 = sample %s, %2 : vec4
+  %4 = sin %3 : vec4
+  %5 = exp %4 : vec4
+  return %5
+}
+function inner(%s: sampler2D, %p: vec2) -> vec4 {
+  %0 = call shown(%s, %p) : vec4
+  %1 = cos %p : vec2
+  %2 = call shown(%s, %1) : vec4
+  %3 = mul %0, %2 : vec4
+  return %3
+}
+function main() -> (color: vec4) {
+  %0 = cos @uv : vec2
+  %1 = call inner(@brick, @uv) : vec4
+  %2 = call inner(OTHER, %0) : vec4
+  %3 = mul %1, %2 : vec4
+  return %3
+}
+main main
+)";
+  auto with = [&](std::string_view other) {
+    std::string changed = text;
+    return Simplified(changed.replace(changed.find("OTHER"), 5, other));
+  };
+  const std::string known = with("@brick");
+  EXPECT_THAT(known, testing::HasSubstr("function shown(%s: sampler2D repeats, %p: vec2)"));
+  EXPECT_THAT(known, testing::Not(testing::HasSubstr("floor")));
+  EXPECT_EQ(Simplified(known), known);
+  const std::string unknown = with("@leaf");
+  EXPECT_THAT(unknown, testing::HasSubstr("function shown(%s: sampler2D, %p: vec2)"));
+  EXPECT_THAT(unknown, testing::HasSubstr("floor"));
+}
+
 TEST(Simplify, TrivialFunctionsStandWhereTheyAreCalled) {
   EXPECT_EQ(Simplified(R"(input uv: vec2
 input time: float

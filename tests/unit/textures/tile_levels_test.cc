@@ -210,6 +210,40 @@ TEST(TileLevelsTest, TexelsAreMeansOfTheirTile) {
   for (const ir::Texel& texel : texture.levels[3].texels) ASSERT_NEAR(double{texel[0]}, mean, 1e-6);
 }
 
+// In layers of 2 x 2 a tile has the texels of all levels that it has in the picture, but the last,
+// which is the mean everywhere, and the tiles beside it are its neighbours in the layer.
+TEST(TileLevelsTest, LayersHaveTheSameLevels) {
+  for (const TileKind kind : {TileKind::kCorner, TileKind::kWang}) {
+    const TilePackLayout layout = LayOutTiles(kind, {4, 4}, 8);
+    const Image pack = test::RandomImage(layout.width(), layout.height(), 1, 16, 1);
+    const ir::Texture picture = TileTexture(pack, layout);
+    TextureOptions options;
+    options.is_array = true;
+    const ir::Texture layers = TileTexture(pack, layout, options);
+    EXPECT_TRUE(layers.is_array);
+    EXPECT_EQ(layers.sampler.wrap_v, ir::Wrap::kRepeat);
+    ASSERT_EQ(layers.levels.size(), picture.levels.size());
+    for (uint32_t level = 0; level < layers.levels.size(); ++level) {
+      const ir::Texture::Level& seen = layers.levels[level];
+      const ir::Texture::Level& from = picture.levels[level];
+      const uint32_t size = 8u >> level, gutter = layout.gutter >> level;
+      ASSERT_EQ(seen.width, 2 * size);
+      ASSERT_EQ(seen.height, 2 * size);
+      ASSERT_EQ(seen.depth, layout.tiles());
+      for (uint32_t i = 0; i < seen.texels.size(); ++i) {
+        const uint32_t x = i % seen.width, y = i / seen.width % seen.height;
+        const uint32_t layer = i / (seen.width * seen.height);
+        const TilePlace place = PackedTile(layout, TileInLayer(layout, layer, x / size, y / size));
+        const size_t row = size_t{place.y} * size + gutter + y % size;
+        // The last level of the picture has half a texel for a gutter.
+        const ir::Texel& wanted =
+            size == 1 ? from.texels[0] : from.texels[row * from.width + place.x * size + x % size];
+        ASSERT_NEAR(double{seen.texels[i][0]}, double{wanted[0]}, 1e-6);
+      }
+    }
+  }
+}
+
 TEST(TileLevelsTest, ColoursCountAsMuchAsThereIsOfThem) {
   const TilePackLayout layout = LayOutTiles(TileKind::kWang, {1, 1}, 4);
   // A quarter is red and there, the rest green and not.

@@ -87,6 +87,29 @@ TEST(TilePackingTest, NeighboursInThePackHaveTheSameColours) {
   }
 }
 
+// Each layer of 2 x 2 tiles is a torus, and each tile stands once at each of the four places.
+TEST(TilePackingTest, LayersCloseAndHaveEachTileFourTimes) {
+  for (const TilePackLayout& layout : AllLayouts()) {
+    const bool corner = layout.kind == TileKind::kCorner;
+    std::set<TileColors> seen[4];
+    for (uint32_t layer = 0; layer < layout.tiles(); ++layer) {
+      for (uint32_t place = 0; place < 4; ++place) {
+        const uint32_t x = place % 2, y = place / 2;
+        const TileColors tile = TileInLayer(layout, layer, x, y);
+        EXPECT_TRUE(seen[place].insert(tile).second);
+        const TileColors right = TileInLayer(layout, layer, 1 - x, y);
+        const TileColors above = TileInLayer(layout, layer, x, 1 - y);
+        ASSERT_EQ(tile[1], right[corner ? 0 : 3]);
+        ASSERT_EQ(tile[2], above[0]);
+        if (!corner) continue;
+        ASSERT_EQ(tile[3], right[2]);
+        ASSERT_EQ(tile[3], above[1]);
+      }
+    }
+    for (const auto& tiles : seen) EXPECT_EQ(tiles.size(), layout.tiles());
+  }
+}
+
 // Wei 2004, appendix B: corners beside each other share the edge between them, on the torus.
 TEST(TilePackingTest, WeisCornersFitOnATorus) {
   for (uint32_t lying = 1; lying <= 4; ++lying) {
