@@ -9,6 +9,7 @@
 #include <new>
 
 #include "compiler/textures/texel_chain.h"
+#include "compiler/textures/tile_evening.h"
 #include "compiler/textures/tile_labels.h"
 #include "compiler/textures/tile_patches.h"
 #include "compiler/textures/tile_quality.h"
@@ -220,6 +221,7 @@ TileSet TileSetMaker::Make(const TileProgress& progress) {
     quality.Measure(tile, labelled);
     work.Add(per_tile);
   });
+  if (options_.even) EvenTiles(set_.layout, set_.packs);
   FillGutters();
   set_.quality = quality.Sum();
   return std::move(set_);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Complete sets of square tiles made of one sample, which may have several maps (colour, normals,
 // height) that are cut alike: a tiling by the colours (tile_packing.h) looks like the sample and
-// has no jumps at the borders. Every texel of a tile is one of the sample's, unchanged; only
-// combinations are new: each tile is divided among patches of the sample, one a colour, along cuts
+// has no jumps at the borders. Every texel of a tile is one of the sample's, unchanged but
+// for the shade that `even` takes away; only combinations are new: each tile is divided among patches of the sample, one a colour, along cuts
 // of least cost (Kwatra et al. 2003). The same input gives the same tiles on every machine and with
 // any number of threads. docs/decisions/0022-tile-sets.md has the why.
 #pragma once
@@ -35,8 +35,8 @@ struct TileSetOptions {
   // order.
   bool own_middles = false;
   // Patches are also chosen so that the light parts of one are the dark parts of others: else what
-  // is light in all of them comes again in every tile, a grid seen from afar. For samples without
-  // order.
+  // is light in all of them comes again in every tile, a grid seen from afar. What is left of the
+  // grid is then taken away as a soft shade (tile_evening.h). For samples without order.
   bool even = false;
   uint32_t threads = 0;  // 0: as many as there are cores
 };

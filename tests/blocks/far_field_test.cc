@@ -112,7 +112,8 @@ TEST_P(FarFieldTest, AZoomKeepsTheMeanAndShowsNoGrid) {
     // The further away, the less there is to be seen, down to nothing at a tile a pixel.
     EXPECT_LE(view.deviation[1], last + 0.002) << "2^" << scale << " tiles a pixel";
     last = view.deviation[1];
-    EXPECT_LE(view.grid, 0.004) << "2^" << scale << " tiles a pixel";
+    // Near by, so few points know it no better.
+    EXPECT_LE(view.grid, scale < -4 ? 0.004 : 0.0015) << "2^" << scale << " tiles a pixel";
     if (scale >= 0) {
       for (double deviation : view.deviation) EXPECT_LE(deviation, 1e-5);
     }
