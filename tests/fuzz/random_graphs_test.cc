@@ -12,7 +12,7 @@
 namespace texgraph::fuzz {
 namespace {
 
-constexpr uint32_t kGraphs = 800;
+constexpr uint32_t kGraphs = 400;
 constexpr uint32_t kBrokenGraphs = 400;
 constexpr uint32_t kBrokenTexts = 16;  // of each graph
 
