@@ -14,6 +14,7 @@
 #include "compiler/textures/maps.h"
 #include "compiler/textures/permutation.h"
 #include "compiler/textures/sheets.h"
+#include "compiler/textures/tile_levels.h"
 #include "compiler/textures/tile_map.h"
 
 namespace texgraph::manifest {
@@ -139,8 +140,12 @@ void CheckTiles(const graph::Graph& graph, const Infos& infos, Diagnostics& diag
   for (uint32_t t = 0; t < graph.textures.size(); ++t) {
     const graph::Texture& texture = graph.textures[t];
     if (texture.kind != graph::TextureKind::kTiles || texture.of || !infos[t]) continue;
-    textures::CheckTileSet(TileOptionsOf(texture), infos[t]->width, infos[t]->height, texture.name,
-                           texture.file_ranges[0], diagnostics, maps[t]);
+    const bool is_good =
+        textures::CheckTileSet(TileOptionsOf(texture), infos[t]->width, infos[t]->height,
+                               texture.name, texture.file_ranges[0], diagnostics, maps[t]);
+    if (!is_good || !texture.is_array) continue;
+    textures::CheckTileLayers(TileLayoutOf(texture), texture.name, texture.file_ranges[0],
+                              diagnostics);
   }
 }
 

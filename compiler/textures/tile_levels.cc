@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <new>
 #include <span>
 
@@ -100,10 +101,11 @@ std::optional<TextureData> CheckAndBuild(const Image& pack, const TilePackLayout
             layout.width(), layout.height()));
     return std::nullopt;
   }
-  const uint64_t of_tile = uint64_t{layout.tile_size} * layout.tile_size;
-  const uint64_t pixels =
-      options.is_array ? 4 * layout.tiles() * of_tile : uint64_t{pack.width} * pack.height;
-  if (!CheckPixels(pixels, name, range, diagnostics)) return std::nullopt;
+  if (options.is_array
+          ? !CheckTileLayers(layout, name, range, diagnostics)
+          : !CheckPixels(uint64_t{pack.width} * pack.height, name, range, diagnostics)) {
+    return std::nullopt;
+  }
   try {
     return BuildTexture(pack, layout, corners, options);
   } catch (const std::bad_alloc&) {
@@ -113,6 +115,21 @@ std::optional<TextureData> CheckAndBuild(const Image& pack, const TilePackLayout
 }
 
 }  // namespace
+
+bool CheckTileLayers(const TilePackLayout& layout, std::string_view name, SourceRange range,
+                     Diagnostics& diagnostics) {
+  const uint64_t tiles = 4 * uint64_t{layout.tiles()};
+  const uint64_t size = layout.tile_size;
+  if (tiles * size * size <= kMaxImagePixels) return true;
+  auto largest = static_cast<uint64_t>(std::sqrt(static_cast<double>(kMaxImagePixels / tiles)));
+  diagnostics.Error(
+      DiagnosticKind::kSizeLimit, range,
+      fmt::format(
+          "the tiles of '{}' have {} texels a side; in layers, where each stands four times, "
+          "up to {} are possible; \"pack\": \"atlas\" has each once",
+          Printable(name), layout.tile_size, largest));
+  return false;
+}
 
 std::optional<TextureData> MakeTileTexture(const Image& pack, const TilePackLayout& layout,
                                            const TextureOptions& options, std::string_view name,

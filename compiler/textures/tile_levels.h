@@ -19,6 +19,11 @@ namespace texgraph::textures {
 // The coarsest level: a texel a tile, more if the size is no power of two.
 uint32_t TileMaxLevel(uint32_t tile_size);
 
+// Layers have four times the texels of the set: false, and kSizeLimit reported with what would do,
+// if these are too many.
+bool CheckTileLayers(const TilePackLayout& layout, std::string_view name, SourceRange range,
+                     Diagnostics& diagnostics);
+
 // `pack` as MakeTileSet makes it, or read from its file. `options` as in MakeTexture; slices, edges
 // and weights are not looked at; wraps are repeat, but in one picture clamp upwards where there are
 // gutters. Reported, naming `name`: kBadImage for a pack whose size is not the layout's,

@@ -244,6 +244,26 @@ TEST(TileLevelsTest, LayersHaveTheSameLevels) {
   }
 }
 
+// 2^26 texels: four times the tiles.
+TEST(TileLevelsTest, LayersHaveALimit) {
+  const std::pair<uint32_t, uint32_t> limits[] = {{2, 1024}, {3, 455}, {4, 256}};
+  for (const auto& [colors, largest] : limits) {
+    Diagnostics diagnostics;
+    const auto check = [&](uint32_t size) {
+      const TilePackLayout layout = LayOutTiles(TileKind::kCorner, {colors, colors}, size);
+      return CheckTileLayers(layout, "grass", {}, diagnostics);
+    };
+    EXPECT_TRUE(check(largest));
+    EXPECT_FALSE(check(largest + 1));
+    ASSERT_EQ(diagnostics.all().size(), 1u);
+    EXPECT_EQ(diagnostics.all()[0].kind, DiagnosticKind::kSizeLimit);
+    EXPECT_EQ(diagnostics.all()[0].message,
+              "the tiles of 'grass' have " + std::to_string(largest + 1) +
+                  " texels a side; in layers, where each stands four times, up to " +
+                  std::to_string(largest) + " are possible; \"pack\": \"atlas\" has each once");
+  }
+}
+
 TEST(TileLevelsTest, ColoursCountAsMuchAsThereIsOfThem) {
   const TilePackLayout layout = LayOutTiles(TileKind::kWang, {1, 1}, 4);
   // A quarter is red and there, the rest green and not.
