@@ -124,7 +124,7 @@ TEST_P(TileWeight, IsKept) {
 
 INSTANTIATE_TEST_SUITE_P(Tiles, TileWeight,
                          testing::Values(Promise{"wei_tiles/dots_at_corners", 1, 46},
-                                         Promise{"grass_tiles/grass_wang_tiles", 1, 75},
+                                         Promise{"grass_tiles/grass_wang_tiles", 1, 53},
                                          Promise{"grass_tiles/grass_tile_map", 2, 33},
                                          Promise{"wei_tiles/grass_permutation", 7, 71},
                                          Promise{"wei_tiles/grass_with_corners", 2, 184}));
